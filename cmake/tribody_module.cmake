@@ -1,0 +1,25 @@
+# tribody_setup_target(TARGET): flags that every target of ours shares.
+function(tribody_setup_target _target)
+  deal_ii_setup_target(${_target})
+  target_include_directories(${_target} PUBLIC ${PROJECT_SOURCE_DIR}/include)
+  # Libraries that are not ours are not ours to warn about.
+  target_include_directories(${_target} SYSTEM PUBLIC ${EIGEN3_INCLUDE_DIRS})
+  target_compile_options(${_target} PRIVATE -Wall -Wextra -Wshadow=local)
+  if(TRIBODY_WERROR)
+    target_compile_options(${_target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# tribody_module(NAME SOURCES a.cc b.cc ... DEPENDS base surface ...)
+#
+# One static library tribody_NAME per module. DEPENDS lists the modules that
+# it may include; tests/style checks the include graph itself.
+function(tribody_module _name)
+  cmake_parse_arguments(_module "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  add_library(tribody_${_name} STATIC ${_module_SOURCES})
+  tribody_setup_target(tribody_${_name})
+  list(TRANSFORM _module_DEPENDS PREPEND tribody_)
+  # The plain signature: deal_ii_setup_target uses it, and CMake allows one.
+  target_link_libraries(tribody_${_name} ${_module_DEPENDS}
+                        ${_module_LIBRARIES})
+endfunction()

@@ -1,0 +1,40 @@
+#ifndef tribody_base_console_h
+#define tribody_base_console_h
+
+#include <boost/iostreams/filtering_stream.hpp>
+
+#include <fstream>
+#include <string>
+
+namespace Tribody
+{
+  /**
+   * What the user reads while the program runs: written to the screen and,
+   * once open_log() was called, to the log file too. Silent on all ranks but
+   * the first.
+   */
+  class Console
+  {
+  public:
+    /// @param is_first_rank whether this rank writes at all.
+    explicit Console(const bool is_first_rank);
+
+    /// From now on write to @p file_name as well.
+    /// @throws ExcRun if it cannot be written.
+    void
+    open_log(const std::string &file_name);
+
+    /// The stream to write to.
+    std::ostream &
+    out()
+    {
+      return stream;
+    }
+
+  private:
+    bool                                writes;
+    boost::iostreams::filtering_ostream stream;
+  };
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,23 @@
+#ifndef tribody_base_solver_report_h
+#define tribody_base_solver_report_h
+
+#include <string>
+
+namespace Tribody
+{
+  /**
+   * How an iteration ended. Non-convergence that can be expected is a value,
+   * not an exception: the caller decides what to do about it.
+   */
+  struct SolverReport
+  {
+    bool         converged    = false;
+    unsigned int n_iterations = 0;
+    /// Norm of what should vanish, in the solver's own scaling [-].
+    double residual = 0.;
+    /// What happened, in words; empty if it converged.
+    std::string message;
+  };
+} // namespace Tribody
+
+#endif
