@@ -3,7 +3,6 @@
 
 #include <boost/iostreams/filtering_stream.hpp>
 
-#include <fstream>
 #include <string>
 
 namespace Tribody
@@ -21,12 +20,10 @@ namespace Tribody
 
     /// From now on write to @p file_name as well.
     /// @throws ExcRun if it cannot be written.
-    void
-    open_log(const std::string &file_name);
+    void open_log(const std::string &file_name);
 
     /// The stream to write to.
-    std::ostream &
-    out()
+    std::ostream &out()
     {
       return stream;
     }

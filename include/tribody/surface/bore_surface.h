@@ -12,8 +12,8 @@ namespace Tribody
    * so that no part that needs it needs the mesh.
    *
    * With the Lagrange functions @f$\varphi_i@f$ of the curve:
-   * @f$ w_i = \int \varphi_i\,ds @f$ turns a nodal force per axial length into a
-   * pressure, @f$ p_i = \lambda_i / w_i @f$, and
+   * @f$ w_i = \int \varphi_i\,ds @f$ turns a nodal force per axial length into
+   * a pressure, @f$ p_i = \lambda_i / w_i @f$, and
    * @f$ \mathbf w_i = \int \varphi_i \mathbf n\,ds @f$ is the derivative of the
    * enclosed area with respect to the position of node i.
    */
@@ -33,8 +33,7 @@ namespace Tribody
     /// Area inside the curve [m^2].
     double enclosed_area = 0.;
 
-    Eigen::Index
-    n_nodes() const
+    Eigen::Index n_nodes() const
     {
       return weights.size();
     }
@@ -44,9 +43,8 @@ namespace Tribody
    * The curve of degree @p degree through @p positions [m] (2 x n,
    * counter-clockwise, n a multiple of @p degree, node 0 a vertex).
    */
-  BoreSurface
-  make_bore_surface(const Eigen::Matrix2Xd &positions,
-                    const unsigned int      degree);
+  BoreSurface make_bore_surface(const Eigen::Matrix2Xd &positions,
+                                const unsigned int      degree);
 } // namespace Tribody
 
 #endif

@@ -1,0 +1,85 @@
+#ifndef tribody_base_parameter_file_h
+#define tribody_base_parameter_file_h
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  /**
+   * The assignments of a deal.II parameter file, each with the place where it
+   * was made.
+   *
+   * ParameterHandler::parse_input() needs all entries declared before it reads
+   * the file, and forgets the lines afterwards. Here the names of a file's
+   * bodies and joints decide what is declared, and a physical check made later
+   * still has to say in which line the value stands. So the file's syntax
+   * (set, subsection, end, include, comments, continuation by a backslash) is
+   * read here; meaning, defaults and documentation stay with ParameterHandler.
+   */
+  class ParameterFile
+  {
+  public:
+    /**
+     * Read @p file_name; include files are looked for relative to the file
+     * that includes them.
+     *
+     * @param overrides assignments "A/B=value" which win over the file.
+     * @throws ExcInput naming file and line.
+     */
+    ParameterFile(const std::string              &file_name,
+                  const std::vector<std::string> &overrides = {});
+
+    /**
+     * Hand every assignment to @p prm, in which everything must be declared.
+     * @throws ExcInput for an undeclared name (with the nearest valid ones)
+     *   or a value that does not fit.
+     */
+    void apply(dealii::ParameterHandler &prm) const;
+
+    /**
+     * The last value given to the parameter @p path ("A/B/name"), or
+     * @p default_value.
+     */
+    std::string value(const std::string &path,
+                      const std::string &default_value) const;
+
+    /**
+     * Where @p path was set last: "file.prm:12", "--set", or "default value"
+     * when it was not.
+     */
+    std::string location(const std::string &path) const;
+
+  private:
+    struct Assignment
+    {
+      std::vector<std::string> subsections;
+      std::string              name;
+      std::string              value;
+      std::string              location;
+    };
+
+    void read(const std::string &file_name, const unsigned int depth);
+
+    void add_override(const std::string &text);
+
+    const Assignment *find(const std::string &path) const;
+
+    std::vector<Assignment>  assignments;
+    std::vector<std::string> open_subsections;
+  };
+
+  /**
+   * The entries of @p candidates nearest to @p word in edit distance, as
+   * "'a' or 'b'"; empty if none is near.
+   */
+  std::string nearest_names(const std::string              &word,
+                            const std::vector<std::string> &candidates);
+} // namespace Tribody
+
+#endif
