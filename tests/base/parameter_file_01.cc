@@ -1,0 +1,117 @@
+// ParameterFile: include, continuation, comments, overrides and the place
+// where a value stands; and what it says to what it cannot use. Known from the
+// syntax of deal.II's ParameterHandler.
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameter_file.h>
+#include <tribody/base/parameters.h>
+
+#include <fstream>
+#include <iostream>
+
+using namespace Tribody;
+
+void
+write(const std::string &name, const std::string &content)
+{
+  std::ofstream(name) << content;
+}
+
+struct Example
+{
+  double                                  radius = 1e-3;
+  unsigned int                            n      = 3;
+  bool                                    flag   = false;
+  std::string                             choice = "one";
+  std::map<std::string, dealii::Point<2>> markers;
+
+  void declare(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Body crank");
+    Parameters::add_quantity(prm, "Radius", radius, "m", "A radius.", "mm");
+    Parameters::add_integer(prm, "Number", n, "A number.", 1, 10);
+    Parameters::add_flag(prm, "Flag", flag, "A flag.");
+    Parameters::add_choice(prm, "Choice", choice, {"one", "two"}, "A word.");
+    Parameters::add_named_points(prm, "Markers", markers, "m", "Points.");
+    prm.leave_subsection();
+  }
+};
+
+void
+read(const std::string &file, const std::vector<std::string> &overrides = {})
+{
+  try
+    {
+      const ParameterFile      parameters(file, overrides);
+      Example                  example;
+      dealii::ParameterHandler prm;
+      example.declare(prm);
+      parameters.apply(prm);
+      std::cout << "radius " << example.radius * 1e3 << " mm at "
+                << parameters.location("Body crank/Radius") << ", number "
+                << example.n << ", flag " << example.flag << ", "
+                << example.choice << ", markers";
+      for (const auto &[name, point] : example.markers)
+        std::cout << ' ' << name << " (" << point << ")";
+      std::cout << std::endl;
+    }
+  catch (const ExcInput &exception)
+    {
+      exception.print_info(std::cout);
+    }
+}
+
+void
+body(const std::string &lines)
+{
+  write("body.prm", "subsection Body crank\n" + lines + "\nend\n");
+  read("body.prm");
+}
+
+int
+main()
+{
+  write("included.prm",
+        "subsection Body crank\n  set Radius = 2 mm # later\nend\n");
+  write("main.prm",
+        "# a comment\ninclude included.prm\nsubsection Body   crank\n"
+        "set Number = 5\nset Markers = A: 1 m, 2 m; \\\n  B: 0 m, 0 m\n"
+        "set Choice = two\nset Flag = yes\nend\n");
+  read("main.prm");
+  read("main.prm", {"Body crank/Radius=3 mm"});
+
+  body("set Radios = 3 mm");
+  body("set Radius = 3");
+  body("set Something else = 3");
+  body("set Number = 11");
+  body("set Number = -1");
+  body("set Choice = three");
+  body("set Flag = perhaps");
+  body("set Markers = A 1 m, 2 m");
+  body("set Markers = A: 1 m");
+  body("set Markers = A: 1 m, 2 m; A: 0 m, 0 m");
+  body("set Radius 3 mm");
+  body("Radius = 3 mm");
+  body("include nowhere.prm");
+  body("subsection Inner");
+  body("end");
+  write("other.prm", "subsection Body crnk\nset Radius = 1 mm\nend\n");
+  read("other.prm");
+  write("loop.prm", "include loop.prm\n");
+  read("loop.prm");
+  read("does_not_exist.prm");
+  read(".");
+  read("main.prm", {"Body crank/Radius"});
+  read("main.prm", {"Body crank/Radius=3 kg"});
+  for (const char *text : {"a, b", "a, a", "a b", ""})
+    try
+      {
+        std::cout << split_names(text).size() << " names" << std::endl;
+      }
+    catch (const ExcInput &exception)
+      {
+        exception.print_info(std::cout);
+      }
+}

@@ -1,0 +1,77 @@
+// Units: values as they stand in a data sheet, against factors known by
+// definition (1 rpm = 2 pi/60 rad/s, 1 mm^3/(N m) = 1e-9 m^2/N = 1e-9/Pa), what
+// is refused, and that what is written reads back.
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/units.h>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+using namespace Tribody;
+
+void
+check(const std::string &text, const std::string &unit, const double expected)
+{
+  const double value = Units::from_string(text, unit);
+  const double error =
+    std::abs(value - expected) / (expected == 0. ? 1. : std::abs(expected));
+  std::cout << text << " -> " << unit << ": "
+            << (error < 1e-14 ? "right" : "WRONG") << std::endl;
+}
+
+void
+refuse(const std::string &text, const std::string &unit)
+{
+  try
+    {
+      Units::from_string(text, unit);
+      std::cout << "ACCEPTED: " << text << std::endl;
+    }
+  catch (const ExcInput &exception)
+    {
+      exception.print_info(std::cout);
+    }
+}
+
+int
+main()
+{
+  check("9.525 mm", "m", 9.525e-3);
+  check("  -90 N ", "N", -90.);
+  check("0.139 GPa", "Pa", 0.139e9);
+  check("5.05e-4 mm^3/(N m)", "Pa^-1", 5.05e-13);
+  check("30 rpm", "rad/s", M_PI);
+  check("180 deg", "rad", M_PI);
+  check("90 degree", "rad", M_PI / 2);
+  check("1 rad", "rad", 1.);
+  check("2.16 g/cm^3", "kg/m^3", 2160.);
+  check("204e-6 kg m^2", "kg m^2", 204e-6);
+  check("525.4 N/m", "N/m", 525.4);
+  check("1 kg/s", "N s/m", 1.);
+  check("0.15", "", 0.15);
+
+  refuse("9.525", "m");
+  refuse("9.525 kg", "m");
+  refuse("30 Hz", "rad/s");
+  refuse("30 rad/s", "s^-1");
+  refuse("9.525 furlongz", "m");
+  refuse("wide", "m");
+  refuse("nan m", "m");
+  refuse("1e999 m", "m");
+  refuse("0.15 m", "");
+  refuse("", "m");
+
+  // What is written reads back to a few roundings of the conversion.
+  for (const double value : {9.535e-3, 1. / 3., 5.05e-13, -0.})
+    {
+      const std::string text = Units::to_string(value, "m", "mm");
+      std::cout << text << ": reads back "
+                << (std::abs(Units::from_string(text, "m") - value) <=
+                        1e-14 * std::abs(value)
+                      ? "right"
+                      : "WRONG")
+                << std::endl;
+    }
+}
