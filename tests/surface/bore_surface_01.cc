@@ -52,7 +52,7 @@ main()
             std::cout
               << "degree " << degree << ": normals radial: "
               << ((bore.normals - bore.positions).lpNorm<Eigen::Infinity>() <
-                  (degree < 3 ? 1e-12 : 1e-5))
+                  (degree < 3 ? 1e-12 : 1e-3))
               << std::endl;
         }
       std::cout << "  rates: length "
