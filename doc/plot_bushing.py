@@ -75,7 +75,10 @@ def restart_in_pvpython():
         )
     command = [pvpython, "--force-offscreen-rendering"]
     if shutil.which("xvfb-run") and shutil.which("xauth"):
-        command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24"] + command
+        # A number of its own: the screen of a run before may still be closing.
+        number = str(100 + os.getpid() % 30000)
+        screen = ["-a", "-n", number, "-s", "-screen 0 1280x1024x24"]
+        command = ["xvfb-run"] + screen + command
     elif not os.environ.get("DISPLAY"):
         sys.exit(
             "plot_bushing: there is no display, and no virtual one either: "
