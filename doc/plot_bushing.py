@@ -393,6 +393,9 @@ def main():
             f"plot_bushing: there is no {pvd}; OUTPUT_DIR is what a run has "
             "written, JOINT the name of a worn joint"
         )
+    directory = os.path.dirname(os.path.abspath(arguments.output))
+    if not os.path.isdir(directory):
+        sys.exit(f"plot_bushing: there is no directory {directory} to write to")
     if not os.environ.get(INSIDE_PVPYTHON):
         restart_in_pvpython()
     draw(arguments)
