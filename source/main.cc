@@ -18,7 +18,7 @@ main(int argc, char **argv)
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
   const auto report = [is_first_rank](const std::string &kind,
-                                      const auto &       print) {
+                                      const auto        &print) {
     if (is_first_rank)
       {
         std::cerr << kind;

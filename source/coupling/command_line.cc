@@ -1,3 +1,5 @@
+#include <boost/program_options.hpp>
+
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
 #include <tribody/base/version.h>
@@ -5,8 +7,6 @@
 #include <tribody/coupling/command_line.h>
 #include <tribody/coupling/wear_simulation.h>
 #include <tribody/output/output_directory.h>
-
-#include <boost/program_options.hpp>
 
 namespace Tribody
 {
@@ -16,8 +16,7 @@ namespace Tribody
 
     namespace
     {
-      po::options_description
-      make_options()
+      po::options_description make_options()
       {
         po::options_description options("Options");
         // clang-format off
@@ -38,9 +37,8 @@ namespace Tribody
 
 
 
-      po::variables_map
-      parse(const std::vector<std::string> &   arguments,
-            const po::options_description &visible)
+      po::variables_map parse(const std::vector<std::string> &arguments,
+                              const po::options_description  &visible)
       {
         po::options_description hidden;
         hidden.add_options()("file", po::value<std::vector<std::string>>());
@@ -73,10 +71,9 @@ namespace Tribody
 
 
 
-    int
-    run_command_line(const std::vector<std::string> &arguments,
-                     Console &                       console,
-                     const MPI_Comm &                communicator)
+    int run_command_line(const std::vector<std::string> &arguments,
+                         Console                        &console,
+                         const MPI_Comm                 &communicator)
     {
       const po::options_description visible = make_options();
       const po::variables_map       options = parse(arguments, visible);

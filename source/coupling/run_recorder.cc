@@ -16,8 +16,7 @@ namespace Tribody
       // Progress lines: not more often than this [s].
       constexpr double progress_interval = 2.;
 
-      double
-      degrees(const double radians)
+      double degrees(const double radians)
       {
         return radians * 180. / M_PI;
       }
@@ -25,8 +24,7 @@ namespace Tribody
 
 
       // In [0, 360).
-      double
-      positive_degrees(const double radians)
+      double positive_degrees(const double radians)
       {
         const double angle = std::fmod(degrees(radians), 360.);
         return angle < 0. ? angle + 360. : angle;
@@ -34,8 +32,7 @@ namespace Tribody
 
 
 
-      double
-      seconds_since(const std::chrono::steady_clock::time_point &start)
+      double seconds_since(const std::chrono::steady_clock::time_point &start)
       {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                              start)
@@ -44,8 +41,7 @@ namespace Tribody
 
 
 
-      std::string
-      clock_time(const double seconds)
+      std::string clock_time(const double seconds)
       {
         const auto         whole = static_cast<long>(std::lround(seconds));
         std::ostringstream out;
@@ -58,17 +54,17 @@ namespace Tribody
 
 
 
-      void
-      write_clearance_joint(const std::string &              file_name,
-                            const Multibody::DutyCycle &     cycle,
-                            const Multibody::JointDutyCycle &joint)
+      void write_clearance_joint(const std::string               &file_name,
+                                 const Multibody::DutyCycle      &cycle,
+                                 const Multibody::JointDutyCycle &joint)
       {
         TableWriter table(
           file_name,
           {"Revolute joint '" + joint.name +
              "' with clearance: one settled cycle.",
            "Forces act on the body with the bushing: normal_force along the "
-           "contact direction (from the bushing's centre to the contact point), "
+           "contact direction (from the bushing's centre to the contact "
+           "point), "
            "friction_force its magnitude;",
            "force_x, force_y: their sum in global axes. contact_angle_bushing "
            "and contact_angle_pin: the contact direction in the frames of the "
@@ -105,10 +101,9 @@ namespace Tribody
 
 
 
-      void
-      write_ideal_joint(const std::string &              file_name,
-                        const Multibody::DutyCycle &     cycle,
-                        const Multibody::JointDutyCycle &joint)
+      void write_ideal_joint(const std::string               &file_name,
+                             const Multibody::DutyCycle      &cycle,
+                             const Multibody::JointDutyCycle &joint)
       {
         TableWriter table(file_name,
                           {"Ideal revolute joint '" + joint.name +
@@ -133,21 +128,27 @@ namespace Tribody
 
 
 
-    RunRecorder::RunRecorder(const CaseParameters &         parameters,
+    RunRecorder::RunRecorder(const CaseParameters          &parameters,
                              const Output::OutputDirectory &directory,
-                             Console &                      console)
+                             Console                       &console,
+                             const bool                     is_first_rank)
       : parameters(parameters)
       , directory(directory)
       , console(console)
+      , writes(is_first_rank)
       , vtu_files(parameters.bushings.size())
     {}
 
 
 
-    void
-    RunRecorder::start()
+    void RunRecorder::start()
     {
-      const std::string message = directory.create();
+      started_at          = std::chrono::steady_clock::now();
+      progress_printed_at = started_at;
+      if (!writes)
+        return;
+
+      const std::string message   = directory.create();
       const std::string file_name = directory.file("parameters.prm");
       std::ofstream     file(file_name);
       file << parameters.text;
@@ -158,24 +159,22 @@ namespace Tribody
         console.out() << message << std::endl;
       console.out() << "Results go to '" << directory.path() << "'."
                     << std::endl;
-      started_at          = std::chrono::steady_clock::now();
-      progress_printed_at = started_at;
     }
 
 
 
-    double
-    RunRecorder::wall_time() const
+    double RunRecorder::wall_time() const
     {
       return seconds_since(started_at);
     }
 
 
 
-    void
-    RunRecorder::record(const RunState &                 state,
-                        const std::list<WearingBushing> &bushings)
+    void RunRecorder::record(const RunState                  &state,
+                             const std::list<WearingBushing> &bushings)
     {
+      if (!writes)
+        return;
       write_history_row(state, bushings);
 
       const double interval =
@@ -192,11 +191,10 @@ namespace Tribody
 
 
 
-    void
-    RunRecorder::record_fields(const RunState &                 state,
-                               const std::list<WearingBushing> &bushings)
+    void RunRecorder::record_fields(const RunState                  &state,
+                                    const std::list<WearingBushing> &bushings)
     {
-      if (last_output_at == state.cycles)
+      if (!writes || last_output_at == state.cycles)
         return;
       write_duty_cycles(state.duty_cycle);
       std::size_t b = 0;
@@ -216,8 +214,7 @@ namespace Tribody
 
 
 
-    void
-    RunRecorder::open_history()
+    void RunRecorder::open_history()
     {
       std::vector<std::string> columns = {"cycles [-]", "wear_step [-]"};
       for (const BushingParameters &bushing : parameters.bushings)
@@ -242,7 +239,7 @@ namespace Tribody
 
 
     void
-    RunRecorder::write_history_row(const RunState &                 state,
+    RunRecorder::write_history_row(const RunState                  &state,
                                    const std::list<WearingBushing> &bushings)
     {
       if (bushings.empty())
@@ -273,16 +270,12 @@ namespace Tribody
 
 
 
-    void
-    RunRecorder::write_duty_cycles(const Multibody::DutyCycle &cycle) const
+    void RunRecorder::write_duty_cycles(const Multibody::DutyCycle &cycle) const
     {
       for (const Multibody::JointDutyCycle &joint : cycle.joints)
         {
-          const std::string file_name =
-            directory.joint_file(joint.name,
-                                 Output::numbered_name("duty_cycle",
-                                                       n_outputs,
-                                                       "csv"));
+          const std::string file_name = directory.joint_file(
+            joint.name, Output::numbered_name("duty_cycle", n_outputs, "csv"));
           if (joint.has_clearance)
             write_clearance_joint(file_name, cycle, joint);
           else
@@ -292,16 +285,13 @@ namespace Tribody
 
 
 
-    void
-    RunRecorder::write_bushing(const RunState &      state,
-                               const WearingBushing &bushing,
-                               const CycleContact &  contact)
+    void RunRecorder::write_bushing(const RunState       &state,
+                                    const WearingBushing &bushing,
+                                    const CycleContact   &contact)
     {
       TableWriter table(
-        directory.joint_file(bushing.name(),
-                             Output::numbered_name("profile",
-                                                   n_outputs,
-                                                   "csv")),
+        directory.joint_file(
+          bushing.name(), Output::numbered_name("profile", n_outputs, "csv")),
         {"Bushing '" + bushing.name() + "' after " +
            std::to_string(std::lround(state.cycles)) + " cycles.",
          "Angle: of the bore node in the bushing's frame, counter-clockwise. "
@@ -313,18 +303,16 @@ namespace Tribody
                          bushing.profile().depth[i],
                          contact.peak_pressure[i]});
 
-      bushing.write_vtu(directory.joint_file(bushing.name(),
-                                             Output::numbered_name("bushing",
-                                                                   n_outputs,
-                                                                   "vtu")),
+      bushing.write_vtu(directory.joint_file(
+                          bushing.name(),
+                          Output::numbered_name("bushing", n_outputs, "vtu")),
                         contact);
     }
 
 
 
-    void
-    RunRecorder::print_progress(const RunState &                 state,
-                                const std::list<WearingBushing> &bushings)
+    void RunRecorder::print_progress(const RunState                  &state,
+                                     const std::list<WearingBushing> &bushings)
     {
       const double elapsed = seconds_since(started_at);
       const double remaining =

@@ -14,15 +14,14 @@ namespace Tribody
     namespace
     {
       Output::BushingSummary
-      summarise_bushing(const WearingBushing &           bushing,
+      summarise_bushing(const WearingBushing            &bushing,
                         const Multibody::JointDutyCycle &cycle,
-                        const CycleContact &             contact,
-                        const BushingTotals &            totals)
+                        const CycleContact              &contact,
+                        const BushingTotals             &totals)
       {
-        const BushingParameters &         parameters =
-          bushing.bushing_parameters();
-        const Multibody::JointParameters &joint   = bushing.joint_parameters();
-        const Wear::WearProfile &         profile = bushing.profile();
+        const BushingParameters &parameters     = bushing.bushing_parameters();
+        const Multibody::JointParameters &joint = bushing.joint_parameters();
+        const Wear::WearProfile          &profile = bushing.profile();
 
         Output::BushingSummary summary;
         summary.max_wear_depth = profile.max_depth();
@@ -57,8 +56,7 @@ namespace Tribody
 
 
       // "+0.3 %": how much @p value differs from @p reference.
-      std::string
-      difference(const double value, const double reference)
+      std::string difference(const double value, const double reference)
       {
         std::ostringstream out;
         out << std::showpos << std::fixed << std::setprecision(2)
@@ -68,8 +66,7 @@ namespace Tribody
 
 
 
-      void
-      print_bushing(std::ostream &out, const Output::JointSummary &joint)
+      void print_bushing(std::ostream &out, const Output::JointSummary &joint)
       {
         const Output::BushingSummary &bushing = joint.bushing;
         out << "    bushing: maximum depth " << std::setprecision(4)
@@ -112,8 +109,8 @@ namespace Tribody
 
 
     Output::RunSummary
-    make_run_summary(const CaseParameters &           parameters,
-                     const RunState &                 state,
+    make_run_summary(const CaseParameters            &parameters,
+                     const RunState                  &state,
                      const std::list<WearingBushing> &bushings)
     {
       Output::RunSummary summary;
@@ -171,8 +168,7 @@ namespace Tribody
 
 
 
-    void
-    print_results(std::ostream &out, const Output::RunSummary &summary)
+    void print_results(std::ostream &out, const Output::RunSummary &summary)
     {
       const std::ios_base::fmtflags flags     = out.flags();
       const std::streamsize         precision = out.precision();

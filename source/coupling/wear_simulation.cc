@@ -1,10 +1,13 @@
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
 
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 #include <limits>
 #include <sstream>
 
@@ -22,8 +25,8 @@ namespace Tribody
 
 
     WearSimulation::WearSimulation(const CaseParameters &parameters,
-                                   Console &             console,
-                                   const MPI_Comm &      communicator)
+                                   Console              &console,
+                                   const MPI_Comm       &communicator)
       : parameters(parameters)
       , console(console)
       , communicator(communicator)
@@ -46,12 +49,29 @@ namespace Tribody
 
 
 
-    void
-    WearSimulation::run(const Output::OutputDirectory &directory)
+    void WearSimulation::print_setup()
     {
-      RunRecorder recorder(parameters, directory, console);
-      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        recorder.start();
+      std::ostream &out = console.out();
+      out << "Mechanism: " << parameters.mechanism.bodies.size() << " bodies, "
+          << parameters.mechanism.joints.size() << " joints, "
+          << mechanism.n_degrees_of_freedom() << " degrees of freedom"
+          << std::endl;
+      for (const WearingBushing &bushing : bushings)
+        out << "Bushing " << bushing.name() << ": "
+            << bushing.node_angles().size() << " bore nodes, clearance "
+            << 1e3 * bushing.clearance_profile().mean() << " mm" << std::endl;
+    }
+
+
+
+    void WearSimulation::run(const Output::OutputDirectory &directory)
+    {
+      RunRecorder recorder(parameters,
+                           directory,
+                           console,
+                           dealii::Utilities::MPI::this_mpi_process(
+                             communicator) == 0);
+      recorder.start();
       try
         {
           run_cycles(recorder);
@@ -69,8 +89,34 @@ namespace Tribody
 
 
 
-    void
-    WearSimulation::run_cycles(RunRecorder &recorder)
+    void WearSimulation::write_summary(const Output::OutputDirectory &directory,
+                                       RunRecorder                   &recorder,
+                                       const std::string             &status,
+                                       const std::string             &message)
+    {
+      // What was reached before a failure is kept, as far as it goes.
+      if (status == "failed" && state.contacts.size() == bushings.size() &&
+          state.counts.rate_evaluations > 0)
+        recorder.record_fields(state, bushings);
+
+      Output::RunSummary summary =
+        make_run_summary(parameters, state, bushings);
+      summary.status    = status;
+      summary.message   = message;
+      summary.wall_time = recorder.wall_time();
+      summary.cpu_time  = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+      dealii::Utilities::System::MemoryStats memory;
+      dealii::Utilities::System::get_memory_stats(memory);
+      summary.peak_memory_bytes = 1024. * memory.VmHWM;
+
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        Output::write_summary_json(directory.file("summary.json"), summary);
+      print_results(console.out(), summary);
+    }
+
+
+
+    void WearSimulation::run_cycles(RunRecorder &recorder)
     {
       run_dynamics();
       solve_contacts();
@@ -78,8 +124,8 @@ namespace Tribody
 
       while (state.cycles < parameters.cycles)
         {
-          const double n_cycles = choose_wear_step();
-          const std::vector<CycleContact> before = state.contacts;
+          const double                    n_cycles = choose_wear_step();
+          const std::vector<CycleContact> before   = state.contacts;
 
           wear(n_cycles);
           run_dynamics();
@@ -95,8 +141,7 @@ namespace Tribody
 
 
 
-    void
-    WearSimulation::run_dynamics()
+    void WearSimulation::run_dynamics()
     {
       dealii::TimerOutput::Scope scope(timer, "dynamics");
 
@@ -109,8 +154,7 @@ namespace Tribody
 
 
 
-    void
-    WearSimulation::solve_contacts()
+    void WearSimulation::solve_contacts()
     {
       dealii::TimerOutput::Scope scope(timer, "contact");
 
@@ -126,8 +170,7 @@ namespace Tribody
 
 
 
-    double
-    WearSimulation::choose_wear_step()
+    double WearSimulation::choose_wear_step()
     {
       // The bound follows the compliance, and costs an eigenvalue problem.
       unsigned int n_builds = 0;
@@ -139,25 +182,37 @@ namespace Tribody
           state.max_stable_step = std::numeric_limits<double>::max();
           for (const WearingBushing &bushing : bushings)
             if (bushing.bushing_parameters().wear_coefficient > 0.)
-              state.max_stable_step =
-                std::min(state.max_stable_step,
-                         bushing.max_stable_step(
-                           state.duty_cycle.joint(bushing.name())
-                             .sliding_distance()));
+              state.max_stable_step = std::min(
+                state.max_stable_step,
+                bushing.max_stable_step(
+                  state.duty_cycle.joint(bushing.name()).sliding_distance()));
           stable_step_builds = n_builds;
         }
 
-      const Wear::ConstantExtrapolation extrapolation{
-        parameters.wear.cycles_per_step > 0. ?
-          parameters.wear.cycles_per_step :
-          safe_fraction_of_stable_step * state.max_stable_step};
+      Wear::ConstantExtrapolation extrapolation{
+        parameters.wear.cycles_per_step};
+      if (extrapolation.cycles_per_step == 0.)
+        extrapolation.cycles_per_step = std::max(
+          1., std::floor(safe_fraction_of_stable_step * state.max_stable_step));
+      else if (extrapolation.cycles_per_step > state.max_stable_step &&
+               !unstable_step_reported)
+        {
+          console.out() << "WARNING: 'Wear/Cycles per step' = "
+                        << extrapolation.cycles_per_step
+                        << " is longer than explicit steps are stable for on "
+                           "this mesh, about "
+                        << state.max_stable_step
+                        << ": pressure and depth will oscillate from node to "
+                           "node. Choose shorter steps or a coarser mesh."
+                        << std::endl;
+          unstable_step_reported = true;
+        }
       return extrapolation.next_step(state.cycles, parameters.cycles);
     }
 
 
 
-    void
-    WearSimulation::wear(const double n_cycles)
+    void WearSimulation::wear(const double n_cycles)
     {
       dealii::TimerOutput::Scope scope(timer, "worn geometry, compliance");
 

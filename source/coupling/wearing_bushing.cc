@@ -1,5 +1,4 @@
 #include <deal.II/base/utilities.h>
-
 #include <deal.II/lac/vector.h>
 
 #include <tribody/base/exceptions.h>
@@ -21,7 +20,7 @@ namespace Tribody
     {
       // A mesh must exist before the members that live on it are constructed.
       dealii::Triangulation<2>
-      make_mesh(const BushingParameters &         parameters,
+      make_mesh(const BushingParameters          &parameters,
                 const Multibody::JointParameters &joint)
       {
         dealii::Triangulation<2> triangulation;
@@ -34,17 +33,15 @@ namespace Tribody
 
 
 
-      Elasticity::PlaneState
-      plane_state(const std::string &name)
+      Elasticity::PlaneState plane_state(const std::string &name)
       {
-        return name == "plane stress" ? Elasticity::PlaneState::stress :
-                                        Elasticity::PlaneState::strain;
+        return name == "plane stress" ? Elasticity::PlaneState::stress
+                                      : Elasticity::PlaneState::strain;
       }
 
 
 
-      Wear::WearProfile
-      make_profile(const BoreNodes &nodes)
+      Wear::WearProfile make_profile(const BoreNodes &nodes)
       {
         return Wear::make_wear_profile(nodes.positions,
                                        nodes.radial_directions(),
@@ -54,7 +51,7 @@ namespace Tribody
 
 
 
-    WearingBushing::WearingBushing(const BushingParameters &         parameters,
+    WearingBushing::WearingBushing(const BushingParameters          &parameters,
                                    const Multibody::JointParameters &joint,
                                    const double compliance_update)
       : parameters(parameters)
@@ -75,8 +72,7 @@ namespace Tribody
 
 
 
-    CycleContact
-    WearingBushing::compute_cycle_contact(
+    CycleContact WearingBushing::compute_cycle_contact(
       const Multibody::JointDutyCycle &cycle) const
     {
       const Wear::ArchardLaw archard{parameters.wear_coefficient};
@@ -98,9 +94,8 @@ namespace Tribody
           const Eigen::Vector2d force_per_length =
             cycle.normal_force[j] / parameters.axial_length *
             Eigen::Vector2d(std::cos(angle), std::sin(angle));
-          solution =
-            solver.solve_force_controlled(force_per_length,
-                                          j > 0 ? &solution : nullptr);
+          solution = solver.solve_force_controlled(force_per_length,
+                                                   j > 0 ? &solution : nullptr);
           ++contact.n_solves;
           AssertThrow(
             solution.report.converged,
@@ -131,8 +126,7 @@ namespace Tribody
 
 
 
-    void
-    WearingBushing::wear_by(const Eigen::VectorXd &depth_increment)
+    void WearingBushing::wear_by(const Eigen::VectorXd &depth_increment)
     {
       Wear::WearProfile worn = wear_profile;
       worn.depth += depth_increment;
@@ -141,15 +135,14 @@ namespace Tribody
       surface      = wear_profile.surface();
 
       const double wall = parameters.outer_radius - joint.bushing_radius;
-      if ((wear_profile.depth - depth_at_compliance)
-            .lpNorm<Eigen::Infinity>() > compliance_update * wall)
+      if ((wear_profile.depth - depth_at_compliance).lpNorm<Eigen::Infinity>() >
+          compliance_update * wall)
         update_compliance();
     }
 
 
 
-    void
-    WearingBushing::update_compliance()
+    void WearingBushing::update_compliance()
     {
       elasticity.reinit(geometry.mapping());
       compliance          = elasticity.normal_compliance(surface.normals);
@@ -159,8 +152,7 @@ namespace Tribody
 
 
 
-    ClearanceProfile
-    WearingBushing::clearance_profile() const
+    ClearanceProfile WearingBushing::clearance_profile() const
     {
       const double unworn = joint.bushing_radius - joint.pin_radius;
       return ClearanceProfile(node_angles(),
@@ -169,16 +161,14 @@ namespace Tribody
 
 
 
-    double
-    WearingBushing::worn_volume() const
+    double WearingBushing::worn_volume() const
     {
       return (unworn_area - geometry.area()) * parameters.axial_length;
     }
 
 
 
-    double
-    WearingBushing::max_stable_step(const double sliding_per_cycle) const
+    double WearingBushing::max_stable_step(const double sliding_per_cycle) const
     {
       const Eigen::VectorXd area_derivative =
         wear_profile.normals.cwiseProduct(surface.vector_weights)
@@ -192,9 +182,8 @@ namespace Tribody
 
 
 
-    void
-    WearingBushing::write_vtu(const std::string & file_name,
-                              const CycleContact &contact) const
+    void WearingBushing::write_vtu(const std::string  &file_name,
+                                   const CycleContact &contact) const
     {
       const Contact::ContactSolution &solution = contact.at_peak_force;
       const Eigen::Matrix2Xd          nodal_forces =

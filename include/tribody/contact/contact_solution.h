@@ -1,9 +1,9 @@
 #ifndef tribody_contact_contact_solution_h
 #define tribody_contact_contact_solution_h
 
-#include <tribody/base/solver_report.h>
-
 #include <Eigen/Core>
+
+#include <tribody/base/solver_report.h>
 
 #include <vector>
 
@@ -52,9 +52,8 @@ namespace Tribody
      * With fewer than six nodes in contact the end is set halfway between
      * them.
      */
-    double
-    contact_half_angle(const ContactSolution &solution,
-                       const BoreSurface &    surface);
+    double contact_half_angle(const ContactSolution &solution,
+                              const BoreSurface     &surface);
 
     /**
      * The largest contact pressure [Pa], read from the pressure averaged over
@@ -63,8 +62,8 @@ namespace Tribody
      * at the edge of contact or at the crest of a worn bore. In a contact of
      * less than five nodes the nodes are all there is.
      */
-    double
-    peak_pressure(const ContactSolution &solution, const BoreSurface &surface);
+    double peak_pressure(const ContactSolution &solution,
+                         const BoreSurface     &surface);
   } // namespace Contact
 } // namespace Tribody
 

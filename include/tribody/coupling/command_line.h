@@ -2,7 +2,6 @@
 #define tribody_coupling_command_line_h
 
 #include <mpi.h>
-
 #include <string>
 #include <vector>
 
@@ -18,10 +17,9 @@ namespace Tribody
      * @return exit status 0.
      * @throws ExcInput for bad usage or input, ExcRun if the run fails.
      */
-    int
-    run_command_line(const std::vector<std::string> &arguments,
-                     Console &                       console,
-                     const MPI_Comm &                communicator);
+    int run_command_line(const std::vector<std::string> &arguments,
+                         Console                        &console,
+                         const MPI_Comm                 &communicator);
   } // namespace Coupling
 } // namespace Tribody
 

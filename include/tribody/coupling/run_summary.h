@@ -15,13 +15,12 @@ namespace Tribody
     /// The results of @p state. Status, message and times are left to the
     /// caller.
     Output::RunSummary
-    make_run_summary(const CaseParameters &           parameters,
-                     const RunState &                 state,
+    make_run_summary(const CaseParameters            &parameters,
+                     const RunState                  &state,
                      const std::list<WearingBushing> &bushings);
 
     /// The same for the reader of the console.
-    void
-    print_results(std::ostream &out, const Output::RunSummary &summary);
+    void print_results(std::ostream &out, const Output::RunSummary &summary);
   } // namespace Coupling
 } // namespace Tribody
 

@@ -13,9 +13,8 @@
 #include <tribody/output/output_directory.h>
 #include <tribody/output/summary.h>
 
-#include <mpi.h>
-
 #include <list>
+#include <mpi.h>
 
 namespace Tribody
 {
@@ -36,49 +35,41 @@ namespace Tribody
        * @throws ExcRun if the mechanism cannot be assembled or a mesh made.
        */
       WearSimulation(const CaseParameters &parameters,
-                     Console &             console,
-                     const MPI_Comm &      communicator);
+                     Console              &console,
+                     const MPI_Comm       &communicator);
 
       /// Say what was built; change and write nothing. For --check.
-      void
-      print_setup();
+      void print_setup();
 
       /**
        * Run all cycles and write the results to @p directory, the summary last.
        * @throws ExcRun if a part fails; the results up to there and a summary
        *   with the status "failed" are written first.
        */
-      void
-      run(const Output::OutputDirectory &directory);
+      void run(const Output::OutputDirectory &directory);
 
     private:
-      void
-      run_cycles(RunRecorder &recorder);
+      void run_cycles(RunRecorder &recorder);
 
       /// One settled cycle of the mechanism with its worn joints.
-      void
-      run_dynamics();
+      void run_dynamics();
 
       /// Contact and wear per cycle in every bushing.
-      void
-      solve_contacts();
+      void solve_contacts();
 
       /// Cycles of the next wear step.
-      double
-      choose_wear_step();
+      double choose_wear_step();
 
       /// Let every bushing wear for @p n_cycles.
-      void
-      wear(const double n_cycles);
+      void wear(const double n_cycles);
 
-      void
-      write_summary(const Output::OutputDirectory &directory,
-                    const RunRecorder &            recorder,
-                    const std::string &            status,
-                    const std::string &            message);
+      void write_summary(const Output::OutputDirectory &directory,
+                         RunRecorder                   &recorder,
+                         const std::string             &status,
+                         const std::string             &message);
 
-      const CaseParameters &     parameters;
-      Console &                  console;
+      const CaseParameters      &parameters;
+      Console                   &console;
       MPI_Comm                   communicator;
       dealii::TimerOutput        timer;
       Multibody::Mechanism       mechanism;
@@ -86,7 +77,8 @@ namespace Tribody
       std::list<WearingBushing>  bushings;
       RunState                   state;
       /// Compliance builds that state.max_stable_step belongs to.
-      unsigned int stable_step_builds = 0;
+      unsigned int stable_step_builds     = 0;
+      bool         unstable_step_reported = false;
     };
   } // namespace Coupling
 } // namespace Tribody

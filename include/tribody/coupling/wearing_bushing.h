@@ -3,6 +3,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <Eigen/Core>
+
 #include <tribody/contact/contact_solution.h>
 #include <tribody/coupling/bushing_parameters.h>
 #include <tribody/elasticity/bushing_elasticity.h>
@@ -11,8 +13,6 @@
 #include <tribody/surface/bore_surface.h>
 #include <tribody/surface/clearance_profile.h>
 #include <tribody/wear/wear_profile.h>
-
-#include <Eigen/Core>
 
 #include <string>
 
@@ -57,12 +57,11 @@ namespace Tribody
        * @param compliance_update change of the profile, as a fraction of the
        *   wall, after which the compliance is computed anew [-].
        */
-      WearingBushing(const BushingParameters &         parameters,
+      WearingBushing(const BushingParameters          &parameters,
                      const Multibody::JointParameters &joint,
                      const double                      compliance_update);
 
-      const std::string &
-      name() const
+      const std::string &name() const
       {
         return parameters.name;
       }
@@ -80,61 +79,50 @@ namespace Tribody
        * Let the bore wear by @p depth_increment [m], one value per bore node.
        * @throws ExcRun if the worn geometry cannot be meshed.
        */
-      void
-      wear_by(const Eigen::VectorXd &depth_increment);
+      void wear_by(const Eigen::VectorXd &depth_increment);
 
-      const Wear::WearProfile &
-      profile() const
+      const Wear::WearProfile &profile() const
       {
         return wear_profile;
       }
 
       /// Angles of the bore nodes [rad].
-      const Eigen::VectorXd &
-      node_angles() const
+      const Eigen::VectorXd &node_angles() const
       {
         return geometry.bore_nodes().angles;
       }
 
       /// Clearance between pin and worn bore, c + h, over the angle (eq. 28).
-      ClearanceProfile
-      clearance_profile() const;
+      ClearanceProfile clearance_profile() const;
 
       /// What wear has removed, measured on the mesh [m^3].
-      double
-      worn_volume() const;
+      double worn_volume() const;
 
       /// Cycles per explicit wear step up to which it is stable, with
       /// @p sliding_per_cycle [m].
-      double
-      max_stable_step(const double sliding_per_cycle) const;
+      double max_stable_step(const double sliding_per_cycle) const;
 
       /// Write fields of @p contact.at_peak_force to a VTU file.
-      void
-      write_vtu(const std::string & file_name,
-                const CycleContact &contact) const;
+      void write_vtu(const std::string  &file_name,
+                     const CycleContact &contact) const;
 
-      unsigned int
-      n_compliance_builds() const
+      unsigned int n_compliance_builds() const
       {
         return n_builds;
       }
 
-      const BushingParameters &
-      bushing_parameters() const
+      const BushingParameters &bushing_parameters() const
       {
         return parameters;
       }
 
-      const Multibody::JointParameters &
-      joint_parameters() const
+      const Multibody::JointParameters &joint_parameters() const
       {
         return joint;
       }
 
     private:
-      void
-      update_compliance();
+      void update_compliance();
 
       BushingParameters             parameters;
       Multibody::JointParameters    joint;
