@@ -162,7 +162,9 @@ def draw_history(axes, run, joint):
     depth_name = f"{joint} max_wear_depth [m]"
     volume_name = f"{joint} worn_volume [m^3]"
     depth = 1e6 * column(run.history, depth_name, run.history_file)
-    axes.plot(cycles, depth, "o-", color="C0", markersize=2.5, linewidth=1.2)
+    # Marks show the wear steps, as long as they can be told apart.
+    size = 2.5 if len(cycles) <= 40 else 0
+    axes.plot(cycles, depth, "o-", color="C0", markersize=size, linewidth=1.2)
     axes.set_xlabel("cycles")
     axes.set_ylabel("deepest wear [µm]", color="C0")
     axes.tick_params(axis="y", colors="C0")
@@ -172,7 +174,7 @@ def draw_history(axes, run, joint):
         volume_axes = axes.twinx()
         volume = 1e9 * run.history[volume_name]
         volume_axes.plot(
-            cycles, volume, "s--", color="C1", markersize=2.5, linewidth=1.2
+            cycles, volume, "s--", color="C1", markersize=size, linewidth=1.2
         )
         volume_axes.set_ylabel("worn volume [mm³]", color="C1")
         volume_axes.tick_params(axis="y", colors="C1")
