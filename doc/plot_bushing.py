@@ -4,7 +4,7 @@
     doc/plot_bushing.py OUTPUT_DIR JOINT -o picture.png
 
 reads OUTPUT_DIR/JOINT/bushing.pvd and writes one PNG: in the upper row the von
-Mises stress in the worn ring, in the lower row the mesh and, inwards from the
+Mises stress in the worn ring, in the lower row the cells and, inwards from the
 bore, the contact pressure; one column each for the first, a middle and the
 last stage. The shapes are the worn ones; what has been worn away is red, the
 bore as manufactured dashed. --scale exaggerates the wear, --zoom enlarges the

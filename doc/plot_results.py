@@ -15,6 +15,7 @@ import glob
 import os
 import re
 import sys
+from xml.etree import ElementTree
 
 try:
     import numpy as np
@@ -72,6 +73,18 @@ def spread(items, n):
     return [items[i] for i in sorted(set(np.linspace(0, len(items) - 1, n).astype(int)))]
 
 
+def read_cycles(output_dir):
+    """Cycles by number of output, from the bushings' lists for ParaView."""
+    cycles = {}
+    pattern = os.path.join(glob.escape(output_dir), "*", "bushing.pvd")
+    for file_name in glob.glob(pattern):
+        for entry in ElementTree.parse(file_name).iter("DataSet"):
+            match = re.fullmatch(r"bushing_(\d+)\.p?vtu", entry.get("file", ""))
+            if match:
+                cycles[int(match.group(1))] = float(entry.get("timestep"))
+    return cycles
+
+
 class Run:
     def __init__(self, output_dir):
         self.output_dir = output_dir
@@ -79,6 +92,7 @@ class Run:
         self.history = {}
         if os.path.isfile(self.history_file):
             self.history = read_csv(self.history_file)
+        self.cycles = read_cycles(output_dir)
 
     def joints(self):
         """Names of the joints, in alphabetical order."""
@@ -89,20 +103,11 @@ class Run:
             or numbered_files(os.path.join(self.output_dir, name), "profile")
         ]
 
-    def cycles_of(self, step):
-        """Cycles after a wear step, None if the history does not have it."""
-        if "wear_step [-]" not in self.history:
-            return None
-        rows = np.flatnonzero(self.history["wear_step [-]"] == step)
-        if rows.size == 0:
-            return None
-        return column(self.history, "cycles [-]", self.history_file)[rows[0]]
-
-    def label(self, step):
-        cycles = self.cycles_of(step)
-        if cycles is None:
-            return f"step {step}"
-        return f"{cycles:,.0f} cycles".replace(",", "\u2009")
+    def label(self, number):
+        """How many cycles had passed at an output."""
+        if number not in self.cycles:
+            return f"output {number}"
+        return f"{self.cycles[number]:,.0f} cycles".replace(",", "\u2009")
 
 
 def colours_for(pairs):
@@ -115,12 +120,12 @@ def draw_force(axes, run, joint):
     pairs = [pairs[0], pairs[-1]] if len(pairs) > 2 else pairs
     # The first line is the wider one: it stays visible where the two coincide.
     styles = [("0.7", 3.0), ("C3", 1.2)][-len(pairs) :]
-    for (step, file_name), (colour, width) in zip(pairs, styles):
+    for (number, file_name), (colour, width) in zip(pairs, styles):
         table = read_csv(file_name)
         name = "force [N]" if "force [N]" in table else "normal_force [N]"
         force = column(table, name, file_name)
         phase = column(table, "phase [deg]", file_name)
-        axes.plot(phase, force, color=colour, linewidth=width, label=run.label(step))
+        axes.plot(phase, force, color=colour, linewidth=width, label=run.label(number))
     axes.set_xlim(0, 360)
     axes.set_xticks(range(0, 361, 90))
     axes.set_ylim(bottom=0)
@@ -131,7 +136,7 @@ def draw_force(axes, run, joint):
 
 def draw_profile(axes, run, joint):
     pairs = spread(numbered_files(os.path.join(run.output_dir, joint), "profile"), 5)
-    for (step, file_name), colour in zip(pairs, colours_for(pairs)):
+    for (number, file_name), colour in zip(pairs, colours_for(pairs)):
         table = read_csv(file_name)
         angle = np.radians(column(table, "angle [deg]", file_name))
         depth = 1e6 * column(table, "bushing_wear_depth [m]", file_name)
@@ -141,7 +146,7 @@ def draw_profile(axes, run, joint):
             np.append(depth[order], depth[order][:1]),
             color=colour,
             linewidth=1.2,
-            label=run.label(step),
+            label=run.label(number),
         )
     axes.set_rlabel_position(20)
     axes.set_ylim(bottom=0)
@@ -157,7 +162,9 @@ def draw_history(axes, run, joint):
     depth_name = f"{joint} max_wear_depth [m]"
     volume_name = f"{joint} worn_volume [m^3]"
     depth = 1e6 * column(run.history, depth_name, run.history_file)
-    axes.plot(cycles, depth, "o-", color="C0", markersize=2.5, linewidth=1.2)
+    # Marks show the wear steps, as long as they can be told apart.
+    size = 2.5 if len(cycles) <= 40 else 0
+    axes.plot(cycles, depth, "o-", color="C0", markersize=size, linewidth=1.2)
     axes.set_xlabel("cycles")
     axes.set_ylabel("deepest wear [µm]", color="C0")
     axes.tick_params(axis="y", colors="C0")
@@ -167,7 +174,7 @@ def draw_history(axes, run, joint):
         volume_axes = axes.twinx()
         volume = 1e9 * run.history[volume_name]
         volume_axes.plot(
-            cycles, volume, "s--", color="C1", markersize=2.5, linewidth=1.2
+            cycles, volume, "s--", color="C1", markersize=size, linewidth=1.2
         )
         volume_axes.set_ylabel("worn volume [mm³]", color="C1")
         volume_axes.tick_params(axis="y", colors="C1")
