@@ -6,7 +6,7 @@ namespace Tribody
   {
     void
     ActiveCompliance::update(const Eigen::MatrixXd &compliance,
-                             const ActiveSet &      nodes)
+                             const ActiveSet       &nodes)
     {
       if (nodes == active_set)
         return;

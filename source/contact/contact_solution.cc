@@ -29,7 +29,7 @@ namespace Tribody
        */
       double
       overhang(const ContactSolution &solution,
-               const BoreSurface &    surface,
+               const BoreSurface     &surface,
                const Eigen::Index     last,
                const int              outward)
       {
@@ -63,9 +63,9 @@ namespace Tribody
 
     double
     contact_half_angle(const ContactSolution &solution,
-                       const BoreSurface &    surface)
+                       const BoreSurface     &surface)
     {
-      const auto &      active = solution.active_set;
+      const auto       &active = solution.active_set;
       const std::size_t m      = active.size();
       if (m == 0)
         return 0.;
@@ -105,8 +105,9 @@ namespace Tribody
       const Eigen::Index n    = surface.n_nodes();
       double             peak = 0.;
       for (const Eigen::Index i : solution.active_set)
-        peak = std::max(
-          peak, 0.25 * p[(i + n - 1) % n] + 0.5 * p[i] + 0.25 * p[(i + 1) % n]);
+        peak = std::max(peak,
+                        0.25 * p[(i + n - 1) % n] + 0.5 * p[i] +
+                          0.25 * p[(i + 1) % n]);
       return peak;
     }
   } // namespace Contact

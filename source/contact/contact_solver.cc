@@ -1,8 +1,8 @@
+#include <Eigen/LU>
+
 #include <tribody/contact/contact_programme.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/contact/pin_gap.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +24,7 @@ namespace Tribody
       ActiveSet
       update_active_set(const Eigen::VectorXd &nodal_force,
                         const Eigen::VectorXd &gap,
-                        const ActiveSet &      old,
+                        const ActiveSet       &old,
                         const double           gap_tolerance)
       {
         ActiveSet active;
@@ -62,8 +62,8 @@ namespace Tribody
 
 
 
-    ContactSolver::ContactSolver(const BoreSurface &            surface,
-                                 const Eigen::MatrixXd &        compliance,
+    ContactSolver::ContactSolver(const BoreSurface             &surface,
+                                 const Eigen::MatrixXd         &compliance,
                                  const double                   pin_radius,
                                  const ContactSolverParameters &parameters)
       : surface(surface)
@@ -91,8 +91,8 @@ namespace Tribody
         }
 
       Iterate iterate =
-        first_iterate(force > 0. ? Eigen::Vector2d(force_per_length / force) :
-                                   Eigen::Vector2d(Eigen::Vector2d::Zero()),
+        first_iterate(force > 0. ? Eigen::Vector2d(force_per_length / force)
+                                 : Eigen::Vector2d(Eigen::Vector2d::Zero()),
                       warm_start);
       SolverReport report = iterate_pin_and_forces(force_per_length, iterate);
       if (!report.converged)
@@ -163,7 +163,7 @@ namespace Tribody
 
     SolverReport
     ContactSolver::iterate_pin_and_forces(const Eigen::Vector2d &force,
-                                          Iterate &              iterate)
+                                          Iterate               &iterate)
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
@@ -213,13 +213,13 @@ namespace Tribody
 
     void
     ContactSolver::newton_step(const Eigen::Vector2d &force,
-                               const PinGap &         pin,
-                               Iterate &              iterate)
+                               const PinGap          &pin,
+                               Iterate               &iterate)
     {
       // With y = C_A^{-1} m_A and z = C_A^{-1} g^0_A:
       //   lambda_A = y d - z,   (m_A^T y + H) d = f + m_A^T z,
       // H = d(sum lambda_i m_i)/de.
-      const auto &       active = iterate.active_set;
+      const auto        &active = iterate.active_set;
       const Eigen::Index n      = active.size();
       Eigen::MatrixX3d   right_hand_sides(n, 3);
       Eigen::Matrix2d    geometric = Eigen::Matrix2d::Zero();
@@ -252,7 +252,7 @@ namespace Tribody
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
-      const PinGap        pin(surface.positions, iterate.pin_centre, pin_radius);
+      const PinGap pin(surface.positions, iterate.pin_centre, pin_radius);
       if (iterate.active_set.empty())
         iterate.active_set =
           update_active_set(iterate.nodal_force, pin.gap, {}, 0.);
@@ -292,20 +292,20 @@ namespace Tribody
 
     bool
     ContactSolver::solve_programme(const Eigen::Vector2d *force,
-                                   Iterate &              iterate) const
+                                   Iterate               &iterate) const
     {
       const PinGap pin(surface.positions, iterate.pin_centre, pin_radius);
       const ContactProgramme programme{compliance,
                                        pin.gap,
                                        pin.directions,
                                        force != nullptr,
-                                       force != nullptr ?
-                                         *force :
-                                         Eigen::Vector2d(0., 0.),
+                                       force != nullptr
+                                         ? *force
+                                         : Eigen::Vector2d(0., 0.),
                                        gap_tolerance(Eigen::VectorXd::Zero(1)),
                                        parameters.tolerance};
       const auto             solution = solve_contact_programme(programme);
-      const Eigen::Vector2d  moved = iterate.pin_centre + solution.pin_step;
+      const Eigen::Vector2d  moved    = iterate.pin_centre + solution.pin_step;
       if (!solution.report.converged || !(moved.norm() < pin_radius))
         return false;
       iterate.pin_centre  = moved;
@@ -343,7 +343,7 @@ namespace Tribody
 
 
     ContactSolution
-    ContactSolver::make_solution(const Iterate &     iterate,
+    ContactSolver::make_solution(const Iterate      &iterate,
                                  const SolverReport &report) const
     {
       const PinGap    pin(surface.positions, iterate.pin_centre, pin_radius);

@@ -9,7 +9,8 @@ namespace Tribody
 {
   namespace Coupling
   {
-    void BushingParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    BushingParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_quantity(prm,
                                "Axial length",
@@ -74,7 +75,8 @@ namespace Tribody
 
 
 
-    void BushingParameters::check(const double bore_radius) const
+    void
+    BushingParameters::check(const double bore_radius) const
     {
       const std::string path = "Bushing " + name + "/";
       AssertThrow(axial_length > 0.,

@@ -7,6 +7,7 @@
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/coupling/case_parameters.h>
+#include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/mechanism.h>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ namespace Tribody
         std::vector<std::string> materials;
         std::vector<std::string> bushings;
 
-        void add_parameters(dealii::ParameterHandler &prm)
+        void
+        add_parameters(dealii::ParameterHandler &prm)
         {
           Parameters::add_names(prm,
                                 "Bodies",
@@ -69,7 +71,8 @@ namespace Tribody
 
 
 
-      Names read_names(const ParameterFile &file)
+      Names
+      read_names(const ParameterFile &file)
       {
         const auto list = [&file](const std::string &name) {
           try
@@ -95,7 +98,8 @@ namespace Tribody
 
 
       template <typename Entry>
-      std::vector<Entry> make_named(const std::vector<std::string> &names)
+      std::vector<Entry>
+      make_named(const std::vector<std::string> &names)
       {
         std::vector<Entry> entries(names.size());
         for (std::size_t i = 0; i < names.size(); ++i)
@@ -106,9 +110,10 @@ namespace Tribody
 
 
       template <typename Entry>
-      void declare_each(dealii::ParameterHandler &prm,
-                        const std::string        &kind,
-                        std::vector<Entry>       &entries)
+      void
+      declare_each(dealii::ParameterHandler &prm,
+                   const std::string        &kind,
+                   std::vector<Entry>       &entries)
       {
         for (Entry &entry : entries)
           {
@@ -121,9 +126,10 @@ namespace Tribody
 
 
       // The handler keeps references into @p parameters and @p names.
-      void declare(dealii::ParameterHandler &prm,
-                   CaseParameters           &parameters,
-                   Names                    &names)
+      void
+      declare(dealii::ParameterHandler &prm,
+              CaseParameters           &parameters,
+              Names                    &names)
       {
         parameters.mechanism.bodies =
           make_named<Multibody::BodyParameters>(names.bodies);
@@ -190,7 +196,8 @@ namespace Tribody
 
 
 
-      std::string print(dealii::ParameterHandler &prm)
+      std::string
+      print(dealii::ParameterHandler &prm)
       {
         std::ostringstream stream;
         prm.print_parameters(stream,
@@ -201,9 +208,10 @@ namespace Tribody
 
 
 
-      Material find_material(const std::vector<Material> &materials,
-                             const std::string           &name,
-                             const std::string           &path)
+      Material
+      find_material(const std::vector<Material> &materials,
+                    const std::string           &name,
+                    const std::string           &path)
       {
         std::vector<std::string> names;
         for (const Material &material : materials)
@@ -220,7 +228,8 @@ namespace Tribody
 
 
 
-      void resolve_materials(CaseParameters &parameters)
+      void
+      resolve_materials(CaseParameters &parameters)
       {
         for (Multibody::JointParameters &joint : parameters.mechanism.joints)
           if (joint.has_clearance())
@@ -238,7 +247,8 @@ namespace Tribody
 
 
 
-      void check(const CaseParameters &parameters)
+      void
+      check(const CaseParameters &parameters)
       {
         for (const Material &material : parameters.materials)
           material.check();
@@ -269,14 +279,18 @@ namespace Tribody
                                    " cycles of wear need at least one entry "
                                    "in 'Bushings'; 0 cycles need none"));
 
-        // Markers and bodies that joints, springs and drivers refer to.
-        const Multibody::Mechanism mechanism(parameters.mechanism);
+        // Markers and bodies that joints, springs and drivers refer to, and
+        // whether the mechanism can be assembled.
+        const Multibody::Mechanism       mechanism(parameters.mechanism);
+        const Multibody::CycleSimulation simulation(mechanism,
+                                                    parameters.dynamics);
       }
     } // namespace
 
 
 
-    void WearParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    WearParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_choice(prm,
                              "Extrapolation",
@@ -306,7 +320,8 @@ namespace Tribody
 
 
 
-    void WearParameters::check() const
+    void
+    WearParameters::check() const
     {
       AssertThrow(cycles_per_step >= 0.,
                   ExcParameter("Wear/Cycles per step",
@@ -334,8 +349,9 @@ namespace Tribody
 
 
 
-    CaseParameters read_case(const std::string              &file_name,
-                             const std::vector<std::string> &overrides)
+    CaseParameters
+    read_case(const std::string              &file_name,
+              const std::vector<std::string> &overrides)
     {
       const ParameterFile file(file_name, overrides);
       CaseParameters      parameters;
@@ -367,7 +383,8 @@ namespace Tribody
 
 
 
-    std::string parameter_template()
+    std::string
+    parameter_template()
     {
       CaseParameters parameters;
       Names          names{

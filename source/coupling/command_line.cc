@@ -16,7 +16,8 @@ namespace Tribody
 
     namespace
     {
-      po::options_description make_options()
+      po::options_description
+      make_options()
       {
         po::options_description options("Options");
         // clang-format off
@@ -37,8 +38,9 @@ namespace Tribody
 
 
 
-      po::variables_map parse(const std::vector<std::string> &arguments,
-                              const po::options_description  &visible)
+      po::variables_map
+      parse(const std::vector<std::string> &arguments,
+            const po::options_description  &visible)
       {
         po::options_description hidden;
         hidden.add_options()("file", po::value<std::vector<std::string>>());
@@ -71,9 +73,10 @@ namespace Tribody
 
 
 
-    int run_command_line(const std::vector<std::string> &arguments,
-                         Console                        &console,
-                         const MPI_Comm                 &communicator)
+    int
+    run_command_line(const std::vector<std::string> &arguments,
+                     Console                        &console,
+                     const MPI_Comm                 &communicator)
     {
       const po::options_description visible = make_options();
       const po::variables_map       options = parse(arguments, visible);

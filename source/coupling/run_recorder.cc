@@ -16,7 +16,8 @@ namespace Tribody
       // Progress lines: not more often than this [s].
       constexpr double progress_interval = 2.;
 
-      double degrees(const double radians)
+      double
+      degrees(const double radians)
       {
         return radians * 180. / M_PI;
       }
@@ -24,7 +25,8 @@ namespace Tribody
 
 
       // In [0, 360).
-      double positive_degrees(const double radians)
+      double
+      positive_degrees(const double radians)
       {
         const double angle = std::fmod(degrees(radians), 360.);
         return angle < 0. ? angle + 360. : angle;
@@ -32,7 +34,8 @@ namespace Tribody
 
 
 
-      double seconds_since(const std::chrono::steady_clock::time_point &start)
+      double
+      seconds_since(const std::chrono::steady_clock::time_point &start)
       {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                              start)
@@ -41,7 +44,8 @@ namespace Tribody
 
 
 
-      std::string clock_time(const double seconds)
+      std::string
+      clock_time(const double seconds)
       {
         const auto         whole = static_cast<long>(std::lround(seconds));
         std::ostringstream out;
@@ -54,9 +58,10 @@ namespace Tribody
 
 
 
-      void write_clearance_joint(const std::string               &file_name,
-                                 const Multibody::DutyCycle      &cycle,
-                                 const Multibody::JointDutyCycle &joint)
+      void
+      write_clearance_joint(const std::string               &file_name,
+                            const Multibody::DutyCycle      &cycle,
+                            const Multibody::JointDutyCycle &joint)
       {
         TableWriter table(
           file_name,
@@ -65,7 +70,7 @@ namespace Tribody
            "Forces act on the body with the bushing: normal_force along the "
            "contact direction (from the bushing's centre to the contact "
            "point), "
-           "friction_force its magnitude;",
+           "friction_force along that direction turned by +90 deg;",
            "force_x, force_y: their sum in global axes. contact_angle_bushing "
            "and contact_angle_pin: the contact direction in the frames of the "
            "two bodies, counter-clockwise.",
@@ -101,28 +106,27 @@ namespace Tribody
 
 
 
-      void write_ideal_joint(const std::string               &file_name,
-                             const Multibody::DutyCycle      &cycle,
-                             const Multibody::JointDutyCycle &joint)
+      void
+      write_ideal_joint(const std::string               &file_name,
+                        const Multibody::DutyCycle      &cycle,
+                        const Multibody::JointDutyCycle &joint)
       {
         TableWriter table(file_name,
-                          {"Ideal revolute joint '" + joint.name +
-                             "': one settled cycle.",
-                           "Force of the pin on the body with the bushing, in "
-                           "global axes."},
+                          {"Joint '" + joint.name +
+                             "' without clearance: one settled cycle.",
+                           "Force of the pin (first body) on the bushing "
+                           "(second body), in global axes."},
                           {"time [s]",
                            "phase [deg]",
                            "force_x [N]",
                            "force_y [N]",
-                           "force [N]",
-                           "sliding_increment [m]"});
+                           "force [N]"});
         for (Eigen::Index j = 0; j < cycle.time.size(); ++j)
           table.write_row({cycle.time[j],
                            cycle.phase[j],
                            joint.force_x[j],
                            joint.force_y[j],
-                           std::hypot(joint.force_x[j], joint.force_y[j]),
-                           joint.sliding_increment[j]});
+                           std::hypot(joint.force_x[j], joint.force_y[j])});
       }
     } // namespace
 
@@ -141,7 +145,8 @@ namespace Tribody
 
 
 
-    void RunRecorder::start()
+    void
+    RunRecorder::start()
     {
       started_at          = std::chrono::steady_clock::now();
       progress_printed_at = started_at;
@@ -163,15 +168,17 @@ namespace Tribody
 
 
 
-    double RunRecorder::wall_time() const
+    double
+    RunRecorder::wall_time() const
     {
       return seconds_since(started_at);
     }
 
 
 
-    void RunRecorder::record(const RunState                  &state,
-                             const std::list<WearingBushing> &bushings)
+    void
+    RunRecorder::record(const RunState                  &state,
+                        const std::list<WearingBushing> &bushings)
     {
       if (!writes)
         return;
@@ -191,8 +198,9 @@ namespace Tribody
 
 
 
-    void RunRecorder::record_fields(const RunState                  &state,
-                                    const std::list<WearingBushing> &bushings)
+    void
+    RunRecorder::record_fields(const RunState                  &state,
+                               const std::list<WearingBushing> &bushings)
     {
       if (!writes || last_output_at == state.cycles)
         return;
@@ -214,7 +222,8 @@ namespace Tribody
 
 
 
-    void RunRecorder::open_history()
+    void
+    RunRecorder::open_history()
     {
       std::vector<std::string> columns = {"cycles [-]", "wear_step [-]"};
       for (const BushingParameters &bushing : parameters.bushings)
@@ -270,7 +279,8 @@ namespace Tribody
 
 
 
-    void RunRecorder::write_duty_cycles(const Multibody::DutyCycle &cycle) const
+    void
+    RunRecorder::write_duty_cycles(const Multibody::DutyCycle &cycle) const
     {
       for (const Multibody::JointDutyCycle &joint : cycle.joints)
         {
@@ -285,9 +295,10 @@ namespace Tribody
 
 
 
-    void RunRecorder::write_bushing(const RunState       &state,
-                                    const WearingBushing &bushing,
-                                    const CycleContact   &contact)
+    void
+    RunRecorder::write_bushing(const RunState       &state,
+                               const WearingBushing &bushing,
+                               const CycleContact   &contact)
     {
       TableWriter table(
         directory.joint_file(
@@ -311,8 +322,9 @@ namespace Tribody
 
 
 
-    void RunRecorder::print_progress(const RunState                  &state,
-                                     const std::list<WearingBushing> &bushings)
+    void
+    RunRecorder::print_progress(const RunState                  &state,
+                                const std::list<WearingBushing> &bushings)
     {
       const double elapsed = seconds_since(started_at);
       const double remaining =

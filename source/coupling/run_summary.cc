@@ -56,7 +56,8 @@ namespace Tribody
 
 
       // "+0.3 %": how much @p value differs from @p reference.
-      std::string difference(const double value, const double reference)
+      std::string
+      difference(const double value, const double reference)
       {
         std::ostringstream out;
         out << std::showpos << std::fixed << std::setprecision(2)
@@ -66,7 +67,8 @@ namespace Tribody
 
 
 
-      void print_bushing(std::ostream &out, const Output::JointSummary &joint)
+      void
+      print_bushing(std::ostream &out, const Output::JointSummary &joint)
       {
         const Output::BushingSummary &bushing = joint.bushing;
         out << "    bushing: maximum depth " << std::setprecision(4)
@@ -114,29 +116,31 @@ namespace Tribody
                      const std::list<WearingBushing> &bushings)
     {
       Output::RunSummary summary;
-      summary.case_name        = parameters.title;
-      summary.cycles           = state.cycles;
-      summary.wear_steps       = state.counts.wear_steps;
-      summary.rate_evaluations = state.counts.rate_evaluations;
-      summary.dynamics_cycles  = state.counts.dynamics_cycles;
-      summary.contact_solves   = state.counts.contact_solves;
-      summary.constraint_drift = state.constraint_drift;
-      summary.all_settled      = state.all_settled;
+      summary.case_name           = parameters.title;
+      summary.cycles              = state.cycles;
+      summary.wear_steps          = state.counts.wear_steps;
+      summary.rate_evaluations    = state.counts.rate_evaluations;
+      summary.dynamics_cycles     = state.counts.dynamics_cycles;
+      summary.contact_solves      = state.counts.contact_solves;
+      summary.constraint_drift    = state.constraint_drift;
+      summary.all_settled         = state.all_settled;
+      summary.settling_difference = state.duty_cycle.settling.repeat_difference;
 
       for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
         {
           const Multibody::JointDutyCycle &cycle = state.duty_cycle.joints[j];
 
           Output::JointSummary joint;
-          joint.name              = cycle.joint;
-          joint.has_clearance     = cycle.has_clearance;
-          joint.peak_force        = cycle.peak_force();
-          joint.mean_force        = cycle.mean_force();
-          joint.sliding_per_cycle = cycle.sliding_distance();
+          joint.name          = cycle.name;
+          joint.has_clearance = cycle.has_clearance;
+          joint.peak_force    = cycle.peak_force();
+          joint.mean_force    = cycle.mean_force();
+          if (cycle.is_revolute)
+            joint.sliding_per_cycle = cycle.sliding_distance();
           if (cycle.has_clearance)
             {
               const Multibody::JointParameters &of_joint =
-                parameters.joint(cycle.joint);
+                parameters.joint(cycle.name);
               joint.mean_normal_force = cycle.mean_normal_force();
               joint.clearance = of_joint.bushing_radius - of_joint.pin_radius;
               joint.contact_losses = state.contact_losses[j];
@@ -145,7 +149,7 @@ namespace Tribody
           std::size_t b = 0;
           for (const WearingBushing &bushing : bushings)
             {
-              if (bushing.name() == cycle.joint && b < state.contacts.size())
+              if (bushing.name() == cycle.name && b < state.contacts.size())
                 {
                   joint.has_bushing = true;
                   joint.bushing     = summarise_bushing(bushing,
@@ -168,7 +172,8 @@ namespace Tribody
 
 
 
-    void print_results(std::ostream &out, const Output::RunSummary &summary)
+    void
+    print_results(std::ostream &out, const Output::RunSummary &summary)
     {
       const std::ios_base::fmtflags flags     = out.flags();
       const std::streamsize         precision = out.precision();
@@ -180,8 +185,11 @@ namespace Tribody
         {
           out << "  " << joint.name << ": force in the cycle, largest "
               << std::setprecision(5) << joint.peak_force << " N, mean "
-              << joint.mean_force << " N; sliding "
-              << joint.sliding_per_cycle * 1e3 << " mm per cycle" << std::endl;
+              << joint.mean_force << " N";
+          if (joint.sliding_per_cycle > 0.)
+            out << "; sliding " << joint.sliding_per_cycle * 1e3
+                << " mm per cycle";
+          out << std::endl;
           if (joint.has_bushing)
             print_bushing(out, joint);
         }

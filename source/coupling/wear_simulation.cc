@@ -9,6 +9,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace Tribody
@@ -49,7 +50,8 @@ namespace Tribody
 
 
 
-    void WearSimulation::print_setup()
+    void
+    WearSimulation::print_setup()
     {
       std::ostream &out = console.out();
       out << "Mechanism: " << parameters.mechanism.bodies.size() << " bodies, "
@@ -64,7 +66,8 @@ namespace Tribody
 
 
 
-    void WearSimulation::run(const Output::OutputDirectory &directory)
+    void
+    WearSimulation::run(const Output::OutputDirectory &directory)
     {
       RunRecorder recorder(parameters,
                            directory,
@@ -89,10 +92,11 @@ namespace Tribody
 
 
 
-    void WearSimulation::write_summary(const Output::OutputDirectory &directory,
-                                       RunRecorder                   &recorder,
-                                       const std::string             &status,
-                                       const std::string             &message)
+    void
+    WearSimulation::write_summary(const Output::OutputDirectory &directory,
+                                  RunRecorder                   &recorder,
+                                  const std::string             &status,
+                                  const std::string             &message)
     {
       // What was reached before a failure is kept, as far as it goes.
       if (status == "failed" && state.contacts.size() == bushings.size() &&
@@ -116,7 +120,8 @@ namespace Tribody
 
 
 
-    void WearSimulation::run_cycles(RunRecorder &recorder)
+    void
+    WearSimulation::run_cycles(RunRecorder &recorder)
     {
       run_dynamics();
       solve_contacts();
@@ -141,7 +146,8 @@ namespace Tribody
 
 
 
-    void WearSimulation::run_dynamics()
+    void
+    WearSimulation::run_dynamics()
     {
       dealii::TimerOutput::Scope scope(timer, "dynamics");
 
@@ -149,12 +155,20 @@ namespace Tribody
       for (const WearingBushing &bushing : bushings)
         clearances.emplace(bushing.name(), bushing.clearance_profile());
       state.duty_cycle = dynamics.run(clearances);
+
       ++state.counts.dynamics_cycles;
+      state.constraint_drift =
+        std::max(state.constraint_drift, state.duty_cycle.constraint_drift);
+      state.all_settled =
+        state.all_settled && state.duty_cycle.settling.converged;
+      for (std::size_t j = 0; j < state.contact_losses.size(); ++j)
+        state.contact_losses[j] += state.duty_cycle.joints[j].n_losses;
     }
 
 
 
-    void WearSimulation::solve_contacts()
+    void
+    WearSimulation::solve_contacts()
     {
       dealii::TimerOutput::Scope scope(timer, "contact");
 
@@ -170,7 +184,8 @@ namespace Tribody
 
 
 
-    double WearSimulation::choose_wear_step()
+    double
+    WearSimulation::choose_wear_step()
     {
       // The bound follows the compliance, and costs an eigenvalue problem.
       unsigned int n_builds = 0;
@@ -212,7 +227,8 @@ namespace Tribody
 
 
 
-    void WearSimulation::wear(const double n_cycles)
+    void
+    WearSimulation::wear(const double n_cycles)
     {
       dealii::TimerOutput::Scope scope(timer, "worn geometry, compliance");
 

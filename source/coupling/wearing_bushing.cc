@@ -33,7 +33,8 @@ namespace Tribody
 
 
 
-      Elasticity::PlaneState plane_state(const std::string &name)
+      Elasticity::PlaneState
+      plane_state(const std::string &name)
       {
         return name == "plane stress" ? Elasticity::PlaneState::stress
                                       : Elasticity::PlaneState::strain;
@@ -41,7 +42,8 @@ namespace Tribody
 
 
 
-      Wear::WearProfile make_profile(const BoreNodes &nodes)
+      Wear::WearProfile
+      make_profile(const BoreNodes &nodes)
       {
         return Wear::make_wear_profile(nodes.positions,
                                        nodes.radial_directions(),
@@ -72,7 +74,8 @@ namespace Tribody
 
 
 
-    CycleContact WearingBushing::compute_cycle_contact(
+    CycleContact
+    WearingBushing::compute_cycle_contact(
       const Multibody::JointDutyCycle &cycle) const
     {
       const Wear::ArchardLaw archard{parameters.wear_coefficient};
@@ -126,7 +129,8 @@ namespace Tribody
 
 
 
-    void WearingBushing::wear_by(const Eigen::VectorXd &depth_increment)
+    void
+    WearingBushing::wear_by(const Eigen::VectorXd &depth_increment)
     {
       Wear::WearProfile worn = wear_profile;
       worn.depth += depth_increment;
@@ -142,7 +146,8 @@ namespace Tribody
 
 
 
-    void WearingBushing::update_compliance()
+    void
+    WearingBushing::update_compliance()
     {
       elasticity.reinit(geometry.mapping());
       compliance          = elasticity.normal_compliance(surface.normals);
@@ -152,7 +157,8 @@ namespace Tribody
 
 
 
-    ClearanceProfile WearingBushing::clearance_profile() const
+    ClearanceProfile
+    WearingBushing::clearance_profile() const
     {
       const double unworn = joint.bushing_radius - joint.pin_radius;
       return ClearanceProfile(node_angles(),
@@ -161,14 +167,16 @@ namespace Tribody
 
 
 
-    double WearingBushing::worn_volume() const
+    double
+    WearingBushing::worn_volume() const
     {
       return (unworn_area - geometry.area()) * parameters.axial_length;
     }
 
 
 
-    double WearingBushing::max_stable_step(const double sliding_per_cycle) const
+    double
+    WearingBushing::max_stable_step(const double sliding_per_cycle) const
     {
       const Eigen::VectorXd area_derivative =
         wear_profile.normals.cwiseProduct(surface.vector_weights)
@@ -182,8 +190,9 @@ namespace Tribody
 
 
 
-    void WearingBushing::write_vtu(const std::string  &file_name,
-                                   const CycleContact &contact) const
+    void
+    WearingBushing::write_vtu(const std::string  &file_name,
+                              const CycleContact &contact) const
     {
       const Contact::ContactSolution &solution = contact.at_peak_force;
       const Eigen::Matrix2Xd          nodal_forces =

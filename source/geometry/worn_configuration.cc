@@ -1,14 +1,10 @@
 #include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
-
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <tribody/base/direct_solver.h>
@@ -26,7 +22,8 @@ namespace Tribody
     {
       /// The points of two rules; the weights are of no use.
       dealii::Quadrature<2>
-      join_points(const dealii::Quadrature<2> &a, const dealii::Quadrature<2> &b)
+      join_points(const dealii::Quadrature<2> &a,
+                  const dealii::Quadrature<2> &b)
       {
         auto points = a.get_points();
         points.insert(points.end(),
@@ -41,7 +38,7 @@ namespace Tribody
     WornConfiguration::WornConfiguration(
       const dealii::Triangulation<2, 2> &triangulation,
       const unsigned int                 degree,
-      const std::string &                bushing_name)
+      const std::string                 &bushing_name)
       : name(bushing_name)
       , fe(dealii::FE_Q<2>(degree), 2)
       , dof_handler(triangulation)
@@ -100,13 +97,13 @@ namespace Tribody
       laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
       constrained_laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
 
-      const unsigned int  n = fe.n_dofs_per_cell();
-      dealii::FEValues<2> fe_values(dealii::MappingQ<2>(fe.degree),
+      const unsigned int         n = fe.n_dofs_per_cell();
+      dealii::FEValues<2>        fe_values(dealii::MappingQ<2>(fe.degree),
                                     fe,
                                     dealii::QGauss<2>(fe.degree + 1),
                                     dealii::update_gradients |
                                       dealii::update_JxW_values);
-      dealii::FullMatrix<double>                   cell_matrix(n, n);
+      dealii::FullMatrix<double> cell_matrix(n, n);
       std::vector<dealii::types::global_dof_index> cell_dofs(n);
       for (const auto &cell : dof_handler.active_cell_iterators())
         {
@@ -190,7 +187,7 @@ namespace Tribody
       const dealii::Quadrature<2> points =
         join_points(dealii::QGauss<2>(fe.degree + 1),
                     dealii::QGaussLobatto<2>(fe.degree + 2));
-      dealii::FEValues<2> fe_values(straight_sided,
+      dealii::FEValues<2>                      fe_values(straight_sided,
                                     fe,
                                     points,
                                     dealii::update_gradients);

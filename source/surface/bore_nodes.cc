@@ -1,5 +1,4 @@
 #include <deal.II/dofs/dof_handler.h>
-
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
@@ -45,14 +44,14 @@ namespace Tribody
      */
     struct BoreFaces
     {
-      std::map<global_dof_index, Node>                       nodes;
+      std::map<global_dof_index, Node>                        nodes;
       std::set<std::pair<global_dof_index, global_dof_index>> ends;
     };
 
     BoreFaces
     collect_bore_faces(const dealii::DoFHandler<2> &dof_handler)
     {
-      const auto &       fe = dof_handler.get_fe();
+      const auto        &fe = dof_handler.get_fe();
       const unsigned int n  = fe.n_dofs_per_face();
 
       const dealii::MappingQ<2>   mapping(fe.degree);
@@ -119,16 +118,16 @@ namespace Tribody
 
     void
     check_closed(const std::vector<Node> &nodes,
-                 const BoreFaces &        faces,
+                 const BoreFaces         &faces,
                  const unsigned int       degree)
     {
-      bool closed = faces.ends.size() >= 3 &&
-                    nodes.size() == degree * faces.ends.size();
+      bool closed =
+        faces.ends.size() >= 3 && nodes.size() == degree * faces.ends.size();
       for (std::size_t i = 0; closed && i < nodes.size(); i += degree)
         {
           const std::size_t next = (i + degree) % nodes.size();
-          const double      turn = nodes[next].angle - nodes[i].angle +
-                              (next == 0 ? 2. * M_PI : 0.);
+          const double      turn =
+            nodes[next].angle - nodes[i].angle + (next == 0 ? 2. * M_PI : 0.);
           closed = nodes[i].is_vertex && turn < M_PI &&
                    faces.ends.count(
                      std::minmax(nodes[i].x_dof, nodes[next].x_dof)) == 1;

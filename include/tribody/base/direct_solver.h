@@ -37,8 +37,9 @@ namespace Tribody
 
     ~DirectSolver();
 
-    DirectSolver(const DirectSolver &)            = delete;
-    DirectSolver &operator=(const DirectSolver &) = delete;
+    DirectSolver(const DirectSolver &) = delete;
+    DirectSolver &
+    operator=(const DirectSolver &) = delete;
 
     /// The solutions for the columns of @p right_hand_sides.
     Eigen::MatrixXd

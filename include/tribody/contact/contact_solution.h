@@ -52,8 +52,9 @@ namespace Tribody
      * With fewer than six nodes in contact the end is set halfway between
      * them.
      */
-    double contact_half_angle(const ContactSolution &solution,
-                              const BoreSurface     &surface);
+    double
+    contact_half_angle(const ContactSolution &solution,
+                       const BoreSurface     &surface);
 
     /**
      * The largest contact pressure [Pa], read from the pressure averaged over
@@ -62,8 +63,8 @@ namespace Tribody
      * at the edge of contact or at the crest of a worn bore. In a contact of
      * less than five nodes the nodes are all there is.
      */
-    double peak_pressure(const ContactSolution &solution,
-                         const BoreSurface     &surface);
+    double
+    peak_pressure(const ContactSolution &solution, const BoreSurface &surface);
   } // namespace Contact
 } // namespace Tribody
 

@@ -39,11 +39,13 @@ namespace Tribody
       Output::Comparison comparison;
 
       /// Declares in the current subsection, "Bushing <name>".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @param bore_radius of the joint [m].
       /// @throws ExcParameter with paths that start with "Bushing <name>".
-      void check(const double bore_radius) const;
+      void
+      check(const double bore_radius) const;
     };
   } // namespace Coupling
 } // namespace Tribody

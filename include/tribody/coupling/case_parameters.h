@@ -32,10 +32,12 @@ namespace Tribody
       double compliance_update = 0.005;
 
       /// Declares in the current subsection, "Wear".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @throws ExcParameter with paths that start with "Wear".
-      void check() const;
+      void
+      check() const;
     };
 
     /**
@@ -63,7 +65,8 @@ namespace Tribody
       std::string text;
 
       /// The parameters of the joint @p name, which must exist.
-      const Multibody::JointParameters &joint(const std::string &name) const;
+      const Multibody::JointParameters &
+      joint(const std::string &name) const;
     };
 
     /**
@@ -71,12 +74,14 @@ namespace Tribody
      * @param overrides assignments "A/B=value" that win over the file.
      * @throws ExcInput with file, line, value, and what would be valid.
      */
-    CaseParameters read_case(const std::string              &file_name,
-                             const std::vector<std::string> &overrides);
+    CaseParameters
+    read_case(const std::string              &file_name,
+              const std::vector<std::string> &overrides);
 
     /// A parameter file with one entry of every kind, for
     /// --print-parameters.
-    std::string parameter_template();
+    std::string
+    parameter_template();
   } // namespace Coupling
 } // namespace Tribody
 

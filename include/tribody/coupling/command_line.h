@@ -17,9 +17,10 @@ namespace Tribody
      * @return exit status 0.
      * @throws ExcInput for bad usage or input, ExcRun if the run fails.
      */
-    int run_command_line(const std::vector<std::string> &arguments,
-                         Console                        &console,
-                         const MPI_Comm                 &communicator);
+    int
+    run_command_line(const std::vector<std::string> &arguments,
+                     Console                        &console,
+                     const MPI_Comm                 &communicator);
   } // namespace Coupling
 } // namespace Tribody
 

@@ -33,35 +33,43 @@ namespace Tribody
                   const bool                     is_first_rank);
 
       /// Make the output directory, open the log, write parameters.prm.
-      void start();
+      void
+      start();
 
       /// Write down @p state, which was reached by the wear step
       /// state.counts.wear_steps.
-      void record(const RunState                  &state,
-                  const std::list<WearingBushing> &bushings);
+      void
+      record(const RunState &state, const std::list<WearingBushing> &bushings);
 
       /// Write the fields of @p state now, if record() has not just done so:
       /// for a run that ends before its time.
-      void record_fields(const RunState                  &state,
-                         const std::list<WearingBushing> &bushings);
+      void
+      record_fields(const RunState                  &state,
+                    const std::list<WearingBushing> &bushings);
 
       /// Seconds since start().
-      double wall_time() const;
+      double
+      wall_time() const;
 
     private:
-      void open_history();
+      void
+      open_history();
 
-      void write_history_row(const RunState                  &state,
-                             const std::list<WearingBushing> &bushings);
+      void
+      write_history_row(const RunState                  &state,
+                        const std::list<WearingBushing> &bushings);
 
-      void write_duty_cycles(const Multibody::DutyCycle &duty_cycle) const;
+      void
+      write_duty_cycles(const Multibody::DutyCycle &duty_cycle) const;
 
-      void write_bushing(const RunState       &state,
-                         const WearingBushing &bushing,
-                         const CycleContact   &contact);
+      void
+      write_bushing(const RunState       &state,
+                    const WearingBushing &bushing,
+                    const CycleContact   &contact);
 
-      void print_progress(const RunState                  &state,
-                          const std::list<WearingBushing> &bushings);
+      void
+      print_progress(const RunState                  &state,
+                     const std::list<WearingBushing> &bushings);
 
       const CaseParameters          &parameters;
       const Output::OutputDirectory &directory;

@@ -20,7 +20,8 @@ namespace Tribody
                      const std::list<WearingBushing> &bushings);
 
     /// The same for the reader of the console.
-    void print_results(std::ostream &out, const Output::RunSummary &summary);
+    void
+    print_results(std::ostream &out, const Output::RunSummary &summary);
   } // namespace Coupling
 } // namespace Tribody
 

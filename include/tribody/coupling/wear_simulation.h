@@ -39,34 +39,42 @@ namespace Tribody
                      const MPI_Comm       &communicator);
 
       /// Say what was built; change and write nothing. For --check.
-      void print_setup();
+      void
+      print_setup();
 
       /**
        * Run all cycles and write the results to @p directory, the summary last.
        * @throws ExcRun if a part fails; the results up to there and a summary
        *   with the status "failed" are written first.
        */
-      void run(const Output::OutputDirectory &directory);
+      void
+      run(const Output::OutputDirectory &directory);
 
     private:
-      void run_cycles(RunRecorder &recorder);
+      void
+      run_cycles(RunRecorder &recorder);
 
       /// One settled cycle of the mechanism with its worn joints.
-      void run_dynamics();
+      void
+      run_dynamics();
 
       /// Contact and wear per cycle in every bushing.
-      void solve_contacts();
+      void
+      solve_contacts();
 
       /// Cycles of the next wear step.
-      double choose_wear_step();
+      double
+      choose_wear_step();
 
       /// Let every bushing wear for @p n_cycles.
-      void wear(const double n_cycles);
+      void
+      wear(const double n_cycles);
 
-      void write_summary(const Output::OutputDirectory &directory,
-                         RunRecorder                   &recorder,
-                         const std::string             &status,
-                         const std::string             &message);
+      void
+      write_summary(const Output::OutputDirectory &directory,
+                    RunRecorder                   &recorder,
+                    const std::string             &status,
+                    const std::string             &message);
 
       const CaseParameters      &parameters;
       Console                   &console;

@@ -61,7 +61,8 @@ namespace Tribody
                      const Multibody::JointParameters &joint,
                      const double                      compliance_update);
 
-      const std::string &name() const
+      const std::string &
+      name() const
       {
         return parameters.name;
       }
@@ -79,50 +80,61 @@ namespace Tribody
        * Let the bore wear by @p depth_increment [m], one value per bore node.
        * @throws ExcRun if the worn geometry cannot be meshed.
        */
-      void wear_by(const Eigen::VectorXd &depth_increment);
+      void
+      wear_by(const Eigen::VectorXd &depth_increment);
 
-      const Wear::WearProfile &profile() const
+      const Wear::WearProfile &
+      profile() const
       {
         return wear_profile;
       }
 
       /// Angles of the bore nodes [rad].
-      const Eigen::VectorXd &node_angles() const
+      const Eigen::VectorXd &
+      node_angles() const
       {
         return geometry.bore_nodes().angles;
       }
 
       /// Clearance between pin and worn bore, c + h, over the angle (eq. 28).
-      ClearanceProfile clearance_profile() const;
+      ClearanceProfile
+      clearance_profile() const;
 
       /// What wear has removed, measured on the mesh [m^3].
-      double worn_volume() const;
+      double
+      worn_volume() const;
 
       /// Cycles per explicit wear step up to which it is stable, with
       /// @p sliding_per_cycle [m].
-      double max_stable_step(const double sliding_per_cycle) const;
+      double
+      max_stable_step(const double sliding_per_cycle) const;
 
       /// Write fields of @p contact.at_peak_force to a VTU file.
-      void write_vtu(const std::string  &file_name,
-                     const CycleContact &contact) const;
+      void
+      write_vtu(const std::string  &file_name,
+                const CycleContact &contact) const;
 
-      unsigned int n_compliance_builds() const
+      unsigned int
+      n_compliance_builds() const
       {
         return n_builds;
       }
 
-      const BushingParameters &bushing_parameters() const
+      const BushingParameters &
+      bushing_parameters() const
       {
         return parameters;
       }
 
-      const Multibody::JointParameters &joint_parameters() const
+      const Multibody::JointParameters &
+      joint_parameters() const
       {
         return joint;
       }
 
     private:
-      void update_compliance();
+      void
+      update_compliance();
 
       BushingParameters             parameters;
       Multibody::JointParameters    joint;
