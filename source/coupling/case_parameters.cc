@@ -259,17 +259,24 @@ namespace Tribody
         for (const BushingParameters &bushing : parameters.bushings)
           {
             const auto &joints = parameters.mechanism.joints;
-            const auto  joint =
+            const auto joint   = const auto joint =
               std::find_if(joints.begin(),
                            joints.end(),
                            [&bushing](const auto &j) {
-                             return j.name == bushing.name && j.has_clearance();
+                             return j.name == bushing.name && j.is_revolute();
                            });
             AssertThrow(joint != joints.end(),
                         ExcParameter("Bushings",
                                      "'" + bushing.name +
-                                       "' is not the name of a revolute joint "
-                                       "with 'set Model = clearance'"));
+                                       "' is not the name of a revolute "
+                                       "joint"));
+            AssertThrow(parameters.cycles == 0 || joint->has_clearance(),
+                        ExcParameter("Joint " + joint->name + "/Model",
+                                     "'" + joint->model +
+                                       "' knows no contact, so the bushing "
+                                       "cannot wear; write 'clearance', or "
+                                       "'set Cycles = 0' for the dynamics "
+                                       "alone"));
             bushing.check(joint->bushing_radius);
           }
 
