@@ -259,7 +259,7 @@ namespace Tribody
         for (const BushingParameters &bushing : parameters.bushings)
           {
             const auto &joints = parameters.mechanism.joints;
-            const auto joint   = const auto joint =
+            const auto  joint =
               std::find_if(joints.begin(),
                            joints.end(),
                            [&bushing](const auto &j) {
