@@ -34,8 +34,7 @@ namespace Tribody
 
 
 
-  Eigen::MatrixXd
-  DirectSolver::solve(
+  Eigen::MatrixXd DirectSolver::solve(
     const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const
   {
     AssertDimension(right_hand_sides.rows(),
@@ -44,7 +43,7 @@ namespace Tribody
     if (right_hand_sides.cols() == 0)
       return solutions;
 
-    const Epetra_Map & map = matrix.trilinos_matrix().RowMap();
+    const Epetra_Map  &map = matrix.trilinos_matrix().RowMap();
     Epetra_MultiVector b(View,
                          map,
                          const_cast<double *>(right_hand_sides.data()),
@@ -66,9 +65,9 @@ namespace Tribody
   dealii::Vector<double>
   DirectSolver::solve(const dealii::Vector<double> &right_hand_side) const
   {
-    const Eigen::MatrixXd x = solve(
-      Eigen::Map<const Eigen::VectorXd>(right_hand_side.begin(),
-                                        right_hand_side.size()));
+    const Eigen::MatrixXd x =
+      solve(Eigen::Map<const Eigen::VectorXd>(right_hand_side.begin(),
+                                              right_hand_side.size()));
     return dealii::Vector<double>(x.data(), x.data() + x.size());
   }
 } // namespace Tribody

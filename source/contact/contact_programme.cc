@@ -1,7 +1,7 @@
+#include <Eigen/LU>
+
 #include <tribody/contact/active_compliance.h>
 #include <tribody/contact/contact_programme.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
@@ -14,11 +14,10 @@ namespace Tribody
     {
       /// Two neighbouring nodes that carry the whole force: the first point
       /// that satisfies the constraint.
-      void
-      carry_by_two_nodes(const ContactProgramme &  programme,
-                         ContactProgrammeSolution &solution)
+      void carry_by_two_nodes(const ContactProgramme   &programme,
+                              ContactProgrammeSolution &solution)
       {
-        const auto &       m = programme.directions;
+        const auto        &m = programme.directions;
         const Eigen::Index n = m.cols();
         // All zero forces are carried by no node.
         if (programme.force.norm() == 0.)
@@ -41,11 +40,10 @@ namespace Tribody
       }
 
       /// The minimum with the forces of all other nodes zero, signs ignored.
-      Eigen::VectorXd
-      minimise_over(const ActiveSet &       active,
-                    const ContactProgramme &programme,
-                    ActiveCompliance &      factor,
-                    Eigen::Vector2d &       pin_step)
+      Eigen::VectorXd minimise_over(const ActiveSet        &active,
+                                    const ContactProgramme &programme,
+                                    ActiveCompliance       &factor,
+                                    Eigen::Vector2d        &pin_step)
       {
         pin_step.setZero();
         if (active.empty())
@@ -57,35 +55,38 @@ namespace Tribody
 
         const Eigen::MatrixX2d m =
           programme.directions(Eigen::all, active).transpose();
-        const Eigen::MatrixX2d y = factor.solve(m);
-        const Eigen::VectorXd  z = factor.solve(gap);
+        const Eigen::MatrixX2d y         = factor.solve(m);
+        const Eigen::VectorXd  z         = factor.solve(gap);
         Eigen::Matrix2d        stiffness = m.transpose() * y;
         // One node alone does not hold the pin sideways.
         stiffness.diagonal().array() += 1e-12 * stiffness.trace();
-        pin_step =
-          stiffness.inverse() * (programme.force + m.transpose() * z);
-        return y * pin_step - z;
+        stiffness = stiffness.inverse().eval();
+        pin_step  = stiffness * (programme.force + m.transpose() * z);
+        // The difference of two large terms balances the force to their
+        // rounding only.
+        Eigen::VectorXd forces = y * pin_step - z;
+        forces += y * (stiffness * (programme.force - m.transpose() * forces));
+        return forces;
       }
 
       /// The node that the optimality conditions want in contact, or -1.
-      Eigen::Index
-      find_entering(const ContactProgramme &        programme,
-                    const ContactProgrammeSolution &solution,
-                    const bool                      smallest_index)
+      Eigen::Index find_entering(const ContactProgramme         &programme,
+                                 const ContactProgrammeSolution &solution,
+                                 const bool                      smallest_index)
       {
-        Eigen::VectorXd gap = programme.compliance * solution.nodal_force;
-        const double    tolerance =
-          std::max(programme.gap_tolerance,
-                   programme.relative_tolerance *
-                     gap.lpNorm<Eigen::Infinity>());
-        gap += programme.gap - programme.directions.transpose() *
-                                 solution.pin_step;
+        Eigen::VectorXd gap       = programme.compliance * solution.nodal_force;
+        const double    tolerance = std::max(programme.gap_tolerance,
+                                          programme.relative_tolerance *
+                                            gap.lpNorm<Eigen::Infinity>());
+        gap +=
+          programme.gap - programme.directions.transpose() * solution.pin_step;
         Eigen::Index entering = -1;
         double       deepest  = -tolerance;
         for (Eigen::Index i = 0; i < gap.size(); ++i)
-          if (gap[i] < deepest && !std::binary_search(solution.active_set.begin(),
-                                                      solution.active_set.end(),
-                                                      i))
+          if (gap[i] < deepest &&
+              !std::binary_search(solution.active_set.begin(),
+                                  solution.active_set.end(),
+                                  i))
             {
               entering = i;
               deepest  = gap[i];
@@ -98,10 +99,10 @@ namespace Tribody
       /// Go towards @p target as far as no force turns into tension; the node
       /// that stops the way leaves the active set. Returns the length of the
       /// way in [0, 1].
-      double
-      advance(const Eigen::VectorXd &target, ContactProgrammeSolution &solution)
+      double advance(const Eigen::VectorXd    &target,
+                     ContactProgrammeSolution &solution)
       {
-        auto &      active   = solution.active_set;
+        auto       &active   = solution.active_set;
         double      length   = 1.;
         std::size_t blocking = active.size();
         for (std::size_t k = 0; k < active.size(); ++k)
@@ -146,9 +147,11 @@ namespace Tribody
       for (auto &i = solution.report.n_iterations; i < max_iterations;)
         {
           ++i;
-          const Eigen::VectorXd target = minimise_over(
-            solution.active_set, programme, factor, solution.pin_step);
-          const double length = advance(target, solution);
+          const Eigen::VectorXd target = minimise_over(solution.active_set,
+                                                       programme,
+                                                       factor,
+                                                       solution.pin_step);
+          const double          length = advance(target, solution);
           if (length < 1.)
             {
               was_blocked_at_once = was_blocked_at_once || (length == 0.);
@@ -162,8 +165,8 @@ namespace Tribody
               return solution;
             }
           auto &active = solution.active_set;
-          active.insert(std::upper_bound(active.begin(), active.end(), entering),
-                        entering);
+          active.insert(
+            std::upper_bound(active.begin(), active.end(), entering), entering);
         }
       solution.report.message = "the quadratic programme needs more than " +
                                 std::to_string(max_iterations) + " steps";

@@ -1,11 +1,8 @@
 #include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
-
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -29,12 +26,11 @@ namespace Tribody
 
       /// The stiffness of one cell; the element's basis is scalar times unit
       /// vector, so that every strain has one row of the gradient only.
-      void
-      compute_cell_matrix(const dealii::FEValues<2> & fe_values,
-                          const PlaneHooke &          law,
-                          dealii::FullMatrix<double> &cell_matrix)
+      void compute_cell_matrix(const dealii::FEValues<2>  &fe_values,
+                               const PlaneHooke           &law,
+                               dealii::FullMatrix<double> &cell_matrix)
       {
-        const auto &       fe = fe_values.get_fe();
+        const auto        &fe = fe_values.get_fe();
         const unsigned int n  = fe.n_dofs_per_cell();
         cell_matrix           = 0.;
         for (const unsigned int q : fe_values.quadrature_point_indices())
@@ -45,7 +41,7 @@ namespace Tribody
               for (unsigned int j = 0; j <= i; ++j)
                 {
                   const unsigned int d = fe.system_to_component_index(j).first;
-                  const auto &grad_j   = fe_values.shape_grad(j, q);
+                  const auto        &grad_j = fe_values.shape_grad(j, q);
                   cell_matrix(i, j) += law.lambda * grad_i[c] * grad_j[d] +
                                        law.mu * grad_i[d] * grad_j[c];
                   if (c == d)
@@ -63,7 +59,7 @@ namespace Tribody
     BushingElasticity::BushingElasticity(
       const dealii::Triangulation<2, 2> &triangulation,
       const unsigned int                 degree,
-      const Material &                   material,
+      const Material                    &material,
       const PlaneState                   plane_state)
       : law(material, plane_state)
       , fe(dealii::FE_Q<2>(degree), 2)
@@ -79,10 +75,11 @@ namespace Tribody
       constraints.close();
 
       dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
-      dealii::DoFTools::make_sparsity_pattern(dof_handler,
-                                              sparsity,
-                                              constraints,
-                                              /*keep_constrained_dofs = */ false);
+      dealii::DoFTools::make_sparsity_pattern(
+        dof_handler,
+        sparsity,
+        constraints,
+        /*keep_constrained_dofs = */ false);
       stiffness.reinit(dof_handler.locally_owned_dofs(),
                        sparsity,
                        MPI_COMM_SELF);
@@ -94,8 +91,7 @@ namespace Tribody
 
 
 
-    void
-    BushingElasticity::reinit(const dealii::Mapping<2, 2> &mapping)
+    void BushingElasticity::reinit(const dealii::Mapping<2, 2> &mapping)
     {
       solver.reset();
       assemble(mapping);
@@ -104,14 +100,13 @@ namespace Tribody
 
 
 
-    void
-    BushingElasticity::assemble(const dealii::Mapping<2, 2> &mapping)
+    void BushingElasticity::assemble(const dealii::Mapping<2, 2> &mapping)
     {
       stiffness = 0.;
       // One order more than affine cells need: the cells at the bore are
       // curved.
-      const dealii::QGauss<2> quadrature(fe.degree + 1);
-      dealii::FEValues<2>     fe_values(mapping,
+      const dealii::QGauss<2>    quadrature(fe.degree + 1);
+      dealii::FEValues<2>        fe_values(mapping,
                                     fe,
                                     quadrature,
                                     dealii::update_gradients |
@@ -162,10 +157,11 @@ namespace Tribody
         (compliance - compliance.transpose()).cwiseAbs().maxCoeff() /
         compliance.cwiseAbs().maxCoeff();
       AssertThrow(asymmetry < 1e-10,
-                  ExcRun("The compliance of a bushing came out unsymmetric by " +
-                         std::to_string(asymmetry) +
-                         " of its largest entry: its stiffness is close to "
-                         "singular. Check the mesh and Poisson's ratio."));
+                  ExcRun(
+                    "The compliance of a bushing came out unsymmetric by " +
+                    std::to_string(asymmetry) +
+                    " of its largest entry: its stiffness is close to "
+                    "singular. Check the mesh and Poisson's ratio."));
       return 0.5 * (compliance + compliance.transpose());
     }
 

@@ -1,5 +1,4 @@
 #include <deal.II/base/parameter_handler.h>
-
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/tria.h>
 
@@ -12,8 +11,7 @@ namespace Tribody
 {
   namespace Elasticity
   {
-    void
-    RingMeshParameters::add_parameters(dealii::ParameterHandler &prm)
+    void RingMeshParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_integer(
         prm,
@@ -42,34 +40,30 @@ namespace Tribody
 
 
 
-    void
-    RingMeshParameters::check(const std::string &path) const
+    void RingMeshParameters::check(const std::string &path) const
     {
       AssertThrow(grading >= 0. && grading <= 5.,
                   ExcParameter(path + "/Grading",
-                               std::to_string(grading) +
-                                 " is not in [0, 5]."));
+                               std::to_string(grading) + " is not in [0, 5]."));
     }
 
 
 
-    void
-    make_ring_mesh(const RingMeshParameters &   parameters,
-                   const double                 inner_radius,
-                   const double                 outer_radius,
-                   dealii::Triangulation<2, 2> &triangulation)
+    void make_ring_mesh(const RingMeshParameters    &parameters,
+                        const double                 inner_radius,
+                        const double                 outer_radius,
+                        dealii::Triangulation<2, 2> &triangulation)
     {
       static_assert(BoundaryIds::bore == 0 && BoundaryIds::rim == 1,
                     "GridGenerator::concentric_hyper_shells says so");
-      dealii::GridGenerator::concentric_hyper_shells(
-        triangulation,
-        dealii::Point<2>(),
-        inner_radius,
-        outer_radius,
-        parameters.n_radial_cells,
-        parameters.grading,
-        parameters.n_bore_cells,
-        /*colorize = */ true);
+      dealii::GridGenerator::concentric_hyper_shells(triangulation,
+                                                     dealii::Point<2>(),
+                                                     inner_radius,
+                                                     outer_radius,
+                                                     parameters.n_radial_cells,
+                                                     parameters.grading,
+                                                     parameters.n_bore_cells,
+                                                     /*colorize = */ true);
     }
   } // namespace Elasticity
 } // namespace Tribody

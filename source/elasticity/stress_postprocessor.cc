@@ -12,14 +12,13 @@ namespace Tribody
 
 
 
-    void
-    StressPostprocessor::evaluate_vector_field(
+    void StressPostprocessor::evaluate_vector_field(
       const dealii::DataPostprocessorInputs::Vector<2> &inputs,
-      std::vector<dealii::Vector<double>> &             stresses) const
+      std::vector<dealii::Vector<double>>              &stresses) const
     {
       for (std::size_t q = 0; q < inputs.solution_gradients.size(); ++q)
         {
-          const auto & grad  = inputs.solution_gradients[q];
+          const auto  &grad  = inputs.solution_gradients[q];
           const double trace = grad[0][0] + grad[1][1];
           const double xx    = law.lambda * trace + 2. * law.mu * grad[0][0];
           const double yy    = law.lambda * trace + 2. * law.mu * grad[1][1];
@@ -32,17 +31,16 @@ namespace Tribody
           stress[2]    = xy;
           stress[3]    = yy;
           stress[4]    = zz;
-          stress[5]    = std::sqrt(0.5 * ((xx - yy) * (xx - yy) +
-                                       (yy - zz) * (yy - zz) +
-                                       (zz - xx) * (zz - xx)) +
-                                3. * xy * xy);
+          stress[5] =
+            std::sqrt(0.5 * ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) +
+                             (zz - xx) * (zz - xx)) +
+                      3. * xy * xy);
         }
     }
 
 
 
-    std::vector<std::string>
-    StressPostprocessor::get_names() const
+    std::vector<std::string> StressPostprocessor::get_names() const
     {
       return {"stress",
               "stress",
@@ -54,7 +52,8 @@ namespace Tribody
 
 
 
-    std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>
+    std::vector<
+      dealii::DataComponentInterpretation::DataComponentInterpretation>
     StressPostprocessor::get_data_component_interpretation() const
     {
       using namespace dealii::DataComponentInterpretation;
@@ -68,8 +67,7 @@ namespace Tribody
 
 
 
-    dealii::UpdateFlags
-    StressPostprocessor::get_needed_update_flags() const
+    dealii::UpdateFlags StressPostprocessor::get_needed_update_flags() const
     {
       return dealii::update_gradients;
     }

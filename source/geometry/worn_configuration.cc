@@ -1,14 +1,10 @@
 #include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
-
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <tribody/base/direct_solver.h>
@@ -25,8 +21,8 @@ namespace Tribody
     namespace
     {
       /// The points of two rules; the weights are of no use.
-      dealii::Quadrature<2>
-      join_points(const dealii::Quadrature<2> &a, const dealii::Quadrature<2> &b)
+      dealii::Quadrature<2> join_points(const dealii::Quadrature<2> &a,
+                                        const dealii::Quadrature<2> &b)
       {
         auto points = a.get_points();
         points.insert(points.end(),
@@ -41,7 +37,7 @@ namespace Tribody
     WornConfiguration::WornConfiguration(
       const dealii::Triangulation<2, 2> &triangulation,
       const unsigned int                 degree,
-      const std::string &                bushing_name)
+      const std::string                 &bushing_name)
       : name(bushing_name)
       , fe(dealii::FE_Q<2>(degree), 2)
       , dof_handler(triangulation)
@@ -82,8 +78,7 @@ namespace Tribody
 
 
 
-    void
-    WornConfiguration::setup_extension()
+    void WornConfiguration::setup_extension()
     {
       fixed_boundary.merge(hanging_nodes);
       for (const auto id : {BoundaryIds::bore, BoundaryIds::rim})
@@ -100,8 +95,9 @@ namespace Tribody
       laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
       constrained_laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
 
-      const unsigned int  n = fe.n_dofs_per_cell();
-      dealii::FEValues<2> fe_values(dealii::MappingQ<2>(fe.degree),
+      const dealii::MappingQ<2>                    as_manufactured(fe.degree);
+      const unsigned int                           n = fe.n_dofs_per_cell();
+      dealii::FEValues<2>                          fe_values(as_manufactured,
                                     fe,
                                     dealii::QGauss<2>(fe.degree + 1),
                                     dealii::update_gradients |
@@ -135,8 +131,7 @@ namespace Tribody
 
 
 
-    void
-    WornConfiguration::update(const Eigen::VectorXd &wear_depth)
+    void WornConfiguration::update(const Eigen::VectorXd &wear_depth)
     {
       AssertDimension(wear_depth.size(), nodes.n_nodes());
       const dealii::Vector<double> new_wear = compute_extension(wear_depth);
@@ -151,8 +146,7 @@ namespace Tribody
 
 
 
-    dealii::Vector<double>
-    WornConfiguration::compute_extension(
+    dealii::Vector<double> WornConfiguration::compute_extension(
       const Eigen::VectorXd &wear_depth) const
     {
       const Eigen::Matrix2Xd moved =
@@ -190,7 +184,7 @@ namespace Tribody
       const dealii::Quadrature<2> points =
         join_points(dealii::QGauss<2>(fe.degree + 1),
                     dealii::QGaussLobatto<2>(fe.degree + 2));
-      dealii::FEValues<2> fe_values(straight_sided,
+      dealii::FEValues<2>                      fe_values(straight_sided,
                                     fe,
                                     points,
                                     dealii::update_gradients);
@@ -217,8 +211,7 @@ namespace Tribody
 
 
 
-    Eigen::Matrix2Xd
-    WornConfiguration::worn_positions() const
+    Eigen::Matrix2Xd WornConfiguration::worn_positions() const
     {
       Eigen::Matrix2Xd positions = nodes.positions;
       for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
@@ -231,8 +224,7 @@ namespace Tribody
 
 
 
-    double
-    WornConfiguration::area() const
+    double WornConfiguration::area() const
     {
       dealii::FEValues<2> fe_values(*worn_mapping,
                                     fe,

@@ -1,5 +1,4 @@
 #include <deal.II/dofs/dof_handler.h>
-
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
@@ -30,8 +29,7 @@ namespace Tribody
 
     /// The angle of @p point about the origin in [0, 2 pi); what rounding
     /// has put below zero is zero.
-    double
-    angle_of(const dealii::Point<2> &point)
+    double angle_of(const dealii::Point<2> &point)
     {
       const double angle = std::atan2(point[1], point[0]);
       if (angle >= 0.)
@@ -45,14 +43,13 @@ namespace Tribody
      */
     struct BoreFaces
     {
-      std::map<global_dof_index, Node>                       nodes;
+      std::map<global_dof_index, Node>                        nodes;
       std::set<std::pair<global_dof_index, global_dof_index>> ends;
     };
 
-    BoreFaces
-    collect_bore_faces(const dealii::DoFHandler<2> &dof_handler)
+    BoreFaces collect_bore_faces(const dealii::DoFHandler<2> &dof_handler)
     {
-      const auto &       fe = dof_handler.get_fe();
+      const auto        &fe = dof_handler.get_fe();
       const unsigned int n  = fe.n_dofs_per_face();
 
       const dealii::MappingQ<2>   mapping(fe.degree);
@@ -98,8 +95,7 @@ namespace Tribody
     }
 
     /// Counter-clockwise, beginning with the vertex of smallest angle.
-    std::vector<Node>
-    sort_nodes(const BoreFaces &faces)
+    std::vector<Node> sort_nodes(const BoreFaces &faces)
     {
       std::vector<Node> nodes;
       for (const auto &[dof, node] : faces.nodes)
@@ -117,18 +113,17 @@ namespace Tribody
       return nodes;
     }
 
-    void
-    check_closed(const std::vector<Node> &nodes,
-                 const BoreFaces &        faces,
-                 const unsigned int       degree)
+    void check_closed(const std::vector<Node> &nodes,
+                      const BoreFaces         &faces,
+                      const unsigned int       degree)
     {
-      bool closed = faces.ends.size() >= 3 &&
-                    nodes.size() == degree * faces.ends.size();
+      bool closed =
+        faces.ends.size() >= 3 && nodes.size() == degree * faces.ends.size();
       for (std::size_t i = 0; closed && i < nodes.size(); i += degree)
         {
           const std::size_t next = (i + degree) % nodes.size();
-          const double      turn = nodes[next].angle - nodes[i].angle +
-                              (next == 0 ? 2. * M_PI : 0.);
+          const double      turn =
+            nodes[next].angle - nodes[i].angle + (next == 0 ? 2. * M_PI : 0.);
           closed = nodes[i].is_vertex && turn < M_PI &&
                    faces.ends.count(
                      std::minmax(nodes[i].x_dof, nodes[next].x_dof)) == 1;
@@ -144,16 +139,14 @@ namespace Tribody
 
 
 
-  Eigen::Matrix2Xd
-  BoreNodes::radial_directions() const
+  Eigen::Matrix2Xd BoreNodes::radial_directions() const
   {
     return positions.colwise().normalized();
   }
 
 
 
-  BoreNodes
-  make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler)
+  BoreNodes make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
     const BoreFaces    faces  = collect_bore_faces(dof_handler);

@@ -17,8 +17,8 @@ namespace Tribody
      */
     struct ContactProgramme
     {
-      const Eigen::MatrixXd & compliance;
-      const Eigen::VectorXd & gap;
+      const Eigen::MatrixXd  &compliance;
+      const Eigen::VectorXd  &gap;
       const Eigen::Matrix2Xd &directions;
       bool                    pin_is_free;
       /// f [N/m]; not read unless the pin is free.

@@ -21,7 +21,7 @@ namespace Tribody
     struct PinGap
     {
       PinGap(const Eigen::Matrix2Xd &positions,
-             const Eigen::Vector2d & pin_centre,
+             const Eigen::Vector2d  &pin_centre,
              const double            pin_radius)
         : directions(positions.colwise() - pin_centre)
         , distances(directions.colwise().norm())

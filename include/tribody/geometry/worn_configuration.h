@@ -2,17 +2,15 @@
 #define tribody_geometry_worn_configuration_h
 
 #include <deal.II/dofs/dof_handler.h>
-
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q_eulerian.h>
-
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <tribody/surface/bore_nodes.h>
-
 #include <Eigen/Core>
+
+#include <tribody/surface/bore_nodes.h>
 
 #include <memory>
 #include <string>
@@ -49,13 +47,12 @@ namespace Tribody
        */
       WornConfiguration(const dealii::Triangulation<2, 2> &triangulation,
                         const unsigned int                 degree,
-                        const std::string &                bushing_name);
+                        const std::string                 &bushing_name);
 
       ~WornConfiguration();
 
-      WornConfiguration(const WornConfiguration &) = delete;
-      WornConfiguration &
-      operator=(const WornConfiguration &) = delete;
+      WornConfiguration(const WornConfiguration &)            = delete;
+      WornConfiguration &operator=(const WornConfiguration &) = delete;
 
       /**
        * Take the shape that belongs to the total wear depth [m] at the bore
@@ -64,54 +61,45 @@ namespace Tribody
        * @throws ExcRun if a cell would be turned inside out at one of its
        *   quadrature points or nodes; the shape is then what it was before.
        */
-      void
-      update(const Eigen::VectorXd &wear_depth);
+      void update(const Eigen::VectorXd &wear_depth);
 
       /// Onto the worn bushing. Valid as long as this object; follows update().
-      const dealii::Mapping<2, 2> &
-      mapping() const
+      const dealii::Mapping<2, 2> &mapping() const
       {
         return *worn_mapping;
       }
 
       /// The bore nodes as manufactured.
-      const BoreNodes &
-      bore_nodes() const
+      const BoreNodes &bore_nodes() const
       {
         return nodes;
       }
 
       /// Positions of the bore nodes on the worn mapping [m], one column each.
-      Eigen::Matrix2Xd
-      worn_positions() const;
+      Eigen::Matrix2Xd worn_positions() const;
 
       /// Area of the worn ring [m^2], by quadrature over its cells.
-      double
-      area() const;
+      double area() const;
 
       /// The displacement w [m] by wear alone, for output.
-      const dealii::Vector<double> &
-      wear_displacement() const
+      const dealii::Vector<double> &wear_displacement() const
       {
         return wear;
       }
 
-      const dealii::DoFHandler<2, 2> &
-      get_dof_handler() const
+      const dealii::DoFHandler<2, 2> &get_dof_handler() const
       {
         return dof_handler;
       }
 
     private:
-      void
-      setup_extension();
+      void setup_extension();
 
       dealii::Vector<double>
       compute_extension(const Eigen::VectorXd &wear_depth) const;
 
-      void
-      check_cells(const dealii::Vector<double> &displacement,
-                  const double                  max_wear_depth) const;
+      void check_cells(const dealii::Vector<double> &displacement,
+                       const double                  max_wear_depth) const;
 
       std::string                            name;
       dealii::FESystem<2>                    fe;
@@ -127,7 +115,7 @@ namespace Tribody
       dealii::Vector<double> curvature;
       dealii::Vector<double> wear;
       /// What the mapping adds to the straight-sided cells: curvature + wear.
-      dealii::Vector<double> mesh_displacement;
+      dealii::Vector<double>                       mesh_displacement;
       std::unique_ptr<dealii::MappingQEulerian<2>> worn_mapping;
     };
   } // namespace Geometry
