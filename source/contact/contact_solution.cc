@@ -100,7 +100,7 @@ namespace Tribody
     {
       // Least squares over equidistant points (Savitzky and Golay, 1964).
       const Eigen::Index           n       = surface.n_nodes();
-      constexpr std::array<int, 5> weights = {-3, 12, 17, 12, -3};
+      constexpr std::array<int, 5> weights = {{-3, 12, 17, 12, -3}};
       double                       peak    = 0.;
       for (const Eigen::Index i : solution.active_set)
         {

@@ -102,7 +102,8 @@ namespace Tribody
         Eigen::VectorXd
         nodal_forces(const dealii::Vector<double> &solution) const
         {
-          return Eigen::Map<const Eigen::VectorXd>(&solution[n_dofs + 2],
+          return Eigen::Map<const Eigen::VectorXd>(solution.begin() + n_dofs +
+                                                     2,
                                                    nodes.n_nodes());
         }
 

@@ -58,9 +58,9 @@ namespace Tribody
       dealii::VectorTools::get_position_vector(dealii::MappingQ<2>(1),
                                                dof_handler,
                                                straight);
-      // Beside a finer cell a coarse one must not bulge on its own.
+      // Where a fine cell meets a coarse one, its nodes belong on the coarse
+      // cell's curved edge.
       hanging_nodes.distribute(curvature);
-      hanging_nodes.distribute(straight);
       curvature -= straight;
 
       wear.reinit(n_dofs);
