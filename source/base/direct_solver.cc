@@ -34,8 +34,7 @@ namespace Tribody
 
 
 
-  Eigen::MatrixXd
-  DirectSolver::solve(
+  Eigen::MatrixXd DirectSolver::solve(
     const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const
   {
     AssertDimension(right_hand_sides.rows(),

@@ -2,6 +2,7 @@
 #include <tribody/surface/bore_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Tribody
@@ -11,8 +12,8 @@ namespace Tribody
     namespace
     {
       /// From @p direction counter-clockwise to @p other, in [0, 2 pi).
-      double
-      turn(const Eigen::Vector2d &direction, const Eigen::Vector2d &other)
+      double turn(const Eigen::Vector2d &direction,
+                  const Eigen::Vector2d &other)
       {
         const double sine   = direction[0] * other[1] - direction[1] * other[0];
         const double cosine = direction.dot(other);
@@ -27,11 +28,10 @@ namespace Tribody
        * @param last node in contact.
        * @param outward +1 if the contact ends counter-clockwise, else -1.
        */
-      double
-      overhang(const ContactSolution &solution,
-               const BoreSurface     &surface,
-               const Eigen::Index     last,
-               const int              outward)
+      double overhang(const ContactSolution &solution,
+                      const BoreSurface     &surface,
+                      const Eigen::Index     last,
+                      const int              outward)
       {
         const Eigen::Index n    = surface.n_nodes();
         const auto         node = [&](const int steps) {
@@ -61,9 +61,8 @@ namespace Tribody
 
 
 
-    double
-    contact_half_angle(const ContactSolution &solution,
-                       const BoreSurface     &surface)
+    double contact_half_angle(const ContactSolution &solution,
+                              const BoreSurface     &surface)
     {
       const auto       &active = solution.active_set;
       const std::size_t m      = active.size();
@@ -96,19 +95,27 @@ namespace Tribody
 
 
 
-    double
-    peak_pressure(const ContactSolution &solution, const BoreSurface &surface)
+    double peak_pressure(const ContactSolution &solution,
+                         const BoreSurface     &surface)
     {
-      const auto &p = solution.pressure;
-      if (solution.active_set.size() < 5)
-        return p.maxCoeff();
-      const Eigen::Index n    = surface.n_nodes();
-      double             peak = 0.;
+      // Least squares over equidistant points (Savitzky and Golay, 1964).
+      const Eigen::Index           n       = surface.n_nodes();
+      constexpr std::array<int, 5> weights = {{-3, 12, 17, 12, -3}};
+      double                       peak    = 0.;
       for (const Eigen::Index i : solution.active_set)
-        peak = std::max(peak,
-                        0.25 * p[(i + n - 1) % n] + 0.5 * p[i] +
-                          0.25 * p[(i + 1) % n]);
-      return peak;
+        {
+          double fitted     = 0.;
+          bool   surrounded = true;
+          for (int k = 0; k < 5; ++k)
+            {
+              const double p = solution.pressure[(i + k - 2 + n) % n];
+              fitted += weights[k] / 35. * p;
+              surrounded = surrounded && p > 0.;
+            }
+          if (surrounded)
+            peak = std::max(peak, fitted);
+        }
+      return peak > 0. ? peak : solution.pressure.maxCoeff();
     }
   } // namespace Contact
 } // namespace Tribody

@@ -21,11 +21,10 @@ namespace Tribody
        * has turned to tension, not because its gap has opened: as long as it
        * is held, its gap is zero by construction.
        */
-      ActiveSet
-      update_active_set(const Eigen::VectorXd &nodal_force,
-                        const Eigen::VectorXd &gap,
-                        const ActiveSet       &old,
-                        const double           gap_tolerance)
+      ActiveSet update_active_set(const Eigen::VectorXd &nodal_force,
+                                  const Eigen::VectorXd &gap,
+                                  const ActiveSet       &old,
+                                  const double           gap_tolerance)
       {
         ActiveSet active;
         active.reserve(old.size() + 16);
@@ -42,8 +41,7 @@ namespace Tribody
         return active;
       }
 
-      double
-      largest(const Eigen::VectorXd &values, const ActiveSet &active)
+      double largest(const Eigen::VectorXd &values, const ActiveSet &active)
       {
         double result = 0.;
         for (const Eigen::Index i : active)
@@ -51,8 +49,7 @@ namespace Tribody
         return result;
       }
 
-      SolverReport
-      failure(SolverReport report, const std::string &message)
+      SolverReport failure(SolverReport report, const std::string &message)
       {
         report.converged = false;
         report.message   = message;
@@ -74,8 +71,7 @@ namespace Tribody
 
 
 
-    ContactSolution
-    ContactSolver::solve_force_controlled(
+    ContactSolution ContactSolver::solve_force_controlled(
       const Eigen::Vector2d &force_per_length,
       const ContactSolution *warm_start)
     {
@@ -211,10 +207,9 @@ namespace Tribody
 
 
 
-    void
-    ContactSolver::newton_step(const Eigen::Vector2d &force,
-                               const PinGap          &pin,
-                               Iterate               &iterate)
+    void ContactSolver::newton_step(const Eigen::Vector2d &force,
+                                    const PinGap          &pin,
+                                    Iterate               &iterate)
     {
       // With y = C_A^{-1} m_A and z = C_A^{-1} g^0_A:
       //   lambda_A = y d - z,   (m_A^T y + H) d = f + m_A^T z,
@@ -234,12 +229,17 @@ namespace Tribody
       active_compliance.update(compliance, active);
       const Eigen::MatrixX3d yz = active_compliance.solve(right_hand_sides);
       const auto             m  = right_hand_sides.leftCols<2>();
-      const Eigen::Matrix2d  stiffness =
-        m.transpose() * yz.leftCols<2>() + geometric;
-      const Eigen::Vector2d step =
-        stiffness.inverse() * (force + m.transpose() * yz.col(2));
+      const auto             y  = yz.leftCols<2>();
+      const Eigen::Matrix2d  stiffness = m.transpose() * y;
+      const Eigen::Vector2d  step =
+        (stiffness + geometric).inverse() * (force + m.transpose() * yz.col(2));
 
-      const Eigen::VectorXd forces = yz.leftCols<2>() * step - yz.col(2);
+      Eigen::VectorXd forces = y * step - yz.col(2);
+      // The difference of two large terms balances the force to their rounding
+      // only; what is missing is far less than a rounding of the pin's place.
+      const Eigen::Vector2d balance =
+        force - geometric * step - m.transpose() * forces;
+      forces += y * (stiffness.inverse() * balance);
       iterate.nodal_force.setZero();
       iterate.nodal_force(active) = forces;
       iterate.pin_centre += step;
@@ -247,8 +247,7 @@ namespace Tribody
 
 
 
-    SolverReport
-    ContactSolver::iterate_forces(Iterate &iterate)
+    SolverReport ContactSolver::iterate_forces(Iterate &iterate)
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
@@ -290,9 +289,8 @@ namespace Tribody
 
 
 
-    bool
-    ContactSolver::solve_programme(const Eigen::Vector2d *force,
-                                   Iterate               &iterate) const
+    bool ContactSolver::solve_programme(const Eigen::Vector2d *force,
+                                        Iterate               &iterate) const
     {
       const PinGap pin(surface.positions, iterate.pin_centre, pin_radius);
       const ContactProgramme programme{compliance,
@@ -327,8 +325,7 @@ namespace Tribody
 
 
 
-    double
-    ContactSolver::gap_tolerance(
+    double ContactSolver::gap_tolerance(
       const Eigen::VectorXd &elastic_displacement) const
     {
       // A distance is known to a few roundings only; under forces so small

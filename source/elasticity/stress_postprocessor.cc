@@ -12,8 +12,7 @@ namespace Tribody
 
 
 
-    void
-    StressPostprocessor::evaluate_vector_field(
+    void StressPostprocessor::evaluate_vector_field(
       const dealii::DataPostprocessorInputs::Vector<2> &inputs,
       std::vector<dealii::Vector<double>>              &stresses) const
     {
@@ -41,8 +40,7 @@ namespace Tribody
 
 
 
-    std::vector<std::string>
-    StressPostprocessor::get_names() const
+    std::vector<std::string> StressPostprocessor::get_names() const
     {
       return {"stress",
               "stress",
@@ -69,8 +67,7 @@ namespace Tribody
 
 
 
-    dealii::UpdateFlags
-    StressPostprocessor::get_needed_update_flags() const
+    dealii::UpdateFlags StressPostprocessor::get_needed_update_flags() const
     {
       return dealii::update_gradients;
     }

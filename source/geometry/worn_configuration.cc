@@ -21,9 +21,8 @@ namespace Tribody
     namespace
     {
       /// The points of two rules; the weights are of no use.
-      dealii::Quadrature<2>
-      join_points(const dealii::Quadrature<2> &a,
-                  const dealii::Quadrature<2> &b)
+      dealii::Quadrature<2> join_points(const dealii::Quadrature<2> &a,
+                                        const dealii::Quadrature<2> &b)
       {
         auto points = a.get_points();
         points.insert(points.end(),
@@ -59,9 +58,9 @@ namespace Tribody
       dealii::VectorTools::get_position_vector(dealii::MappingQ<2>(1),
                                                dof_handler,
                                                straight);
-      // Beside a finer cell a coarse one must not bulge on its own.
+      // Where a fine cell meets a coarse one, its nodes belong on the coarse
+      // cell's curved edge.
       hanging_nodes.distribute(curvature);
-      hanging_nodes.distribute(straight);
       curvature -= straight;
 
       wear.reinit(n_dofs);
@@ -79,8 +78,7 @@ namespace Tribody
 
 
 
-    void
-    WornConfiguration::setup_extension()
+    void WornConfiguration::setup_extension()
     {
       fixed_boundary.merge(hanging_nodes);
       for (const auto id : {BoundaryIds::bore, BoundaryIds::rim})
@@ -97,13 +95,14 @@ namespace Tribody
       laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
       constrained_laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
 
-      const unsigned int         n = fe.n_dofs_per_cell();
-      dealii::FEValues<2>        fe_values(dealii::MappingQ<2>(fe.degree),
+      const dealii::MappingQ<2>                    as_manufactured(fe.degree);
+      const unsigned int                           n = fe.n_dofs_per_cell();
+      dealii::FEValues<2>                          fe_values(as_manufactured,
                                     fe,
                                     dealii::QGauss<2>(fe.degree + 1),
                                     dealii::update_gradients |
                                       dealii::update_JxW_values);
-      dealii::FullMatrix<double> cell_matrix(n, n);
+      dealii::FullMatrix<double>                   cell_matrix(n, n);
       std::vector<dealii::types::global_dof_index> cell_dofs(n);
       for (const auto &cell : dof_handler.active_cell_iterators())
         {
@@ -132,8 +131,7 @@ namespace Tribody
 
 
 
-    void
-    WornConfiguration::update(const Eigen::VectorXd &wear_depth)
+    void WornConfiguration::update(const Eigen::VectorXd &wear_depth)
     {
       AssertDimension(wear_depth.size(), nodes.n_nodes());
       const dealii::Vector<double> new_wear = compute_extension(wear_depth);
@@ -148,8 +146,7 @@ namespace Tribody
 
 
 
-    dealii::Vector<double>
-    WornConfiguration::compute_extension(
+    dealii::Vector<double> WornConfiguration::compute_extension(
       const Eigen::VectorXd &wear_depth) const
     {
       const Eigen::Matrix2Xd moved =
@@ -214,8 +211,7 @@ namespace Tribody
 
 
 
-    Eigen::Matrix2Xd
-    WornConfiguration::worn_positions() const
+    Eigen::Matrix2Xd WornConfiguration::worn_positions() const
     {
       Eigen::Matrix2Xd positions = nodes.positions;
       for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
@@ -228,8 +224,7 @@ namespace Tribody
 
 
 
-    double
-    WornConfiguration::area() const
+    double WornConfiguration::area() const
     {
       dealii::FEValues<2> fe_values(*worn_mapping,
                                     fe,

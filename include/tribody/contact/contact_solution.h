@@ -52,19 +52,18 @@ namespace Tribody
      * With fewer than six nodes in contact the end is set halfway between
      * them.
      */
-    double
-    contact_half_angle(const ContactSolution &solution,
-                       const BoreSurface     &surface);
+    double contact_half_angle(const ContactSolution &solution,
+                              const BoreSurface     &surface);
 
     /**
-     * The largest contact pressure [Pa], read from the pressure averaged over
-     * each piece of the curve around a node (weights 1/4, 1/2, 1/4): what a
-     * single node shows above its two neighbours is discretisation error,
-     * at the edge of contact or at the crest of a worn bore. In a contact of
-     * less than five nodes the nodes are all there is.
+     * The largest contact pressure [Pa]: the parabola that fits five nodes in
+     * contact best, taken at the middle one. What a single node shows above its
+     * neighbours is discretisation error, most of all at the edge of contact,
+     * where no five nodes in contact surround it; a smooth peak is kept.
+     * If no five neighbours are in contact, the nodes are all there is.
      */
-    double
-    peak_pressure(const ContactSolution &solution, const BoreSurface &surface);
+    double peak_pressure(const ContactSolution &solution,
+                         const BoreSurface     &surface);
   } // namespace Contact
 } // namespace Tribody
 

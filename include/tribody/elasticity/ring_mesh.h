@@ -24,17 +24,15 @@ namespace Tribody
       /// Cells around the bore [-].
       unsigned int n_bore_cells = 180;
       /// Layers of cells from bore to rim [-].
-      unsigned int n_radial_cells = 10;
+      unsigned int n_radial_cells = 6;
       /// Grading from the bore outward [-]; 0 makes all layers equally thick.
       double grading = 1.5;
 
-      void
-      add_parameters(dealii::ParameterHandler &prm);
+      void add_parameters(dealii::ParameterHandler &prm);
 
       /// @param path of the subsection, for the message.
       /// @throws ExcParameter for a value that cannot be meshed.
-      void
-      check(const std::string &path) const;
+      void check(const std::string &path) const;
     };
 
     /**
@@ -44,11 +42,10 @@ namespace Tribody
      * @f[ r_k = r_o - (r_o - r_i)\,\frac{\tanh(\gamma (1 - k/n))}{\tanh\gamma}
      * @f] with the grading @f$\gamma@f$.
      */
-    void
-    make_ring_mesh(const RingMeshParameters    &parameters,
-                   const double                 inner_radius,
-                   const double                 outer_radius,
-                   dealii::Triangulation<2, 2> &triangulation);
+    void make_ring_mesh(const RingMeshParameters    &parameters,
+                        const double                 inner_radius,
+                        const double                 outer_radius,
+                        dealii::Triangulation<2, 2> &triangulation);
   } // namespace Elasticity
 } // namespace Tribody
 
