@@ -21,10 +21,11 @@ namespace Tribody
        * has turned to tension, not because its gap has opened: as long as it
        * is held, its gap is zero by construction.
        */
-      ActiveSet update_active_set(const Eigen::VectorXd &nodal_force,
-                                  const Eigen::VectorXd &gap,
-                                  const ActiveSet       &old,
-                                  const double           gap_tolerance)
+      ActiveSet
+      update_active_set(const Eigen::VectorXd &nodal_force,
+                        const Eigen::VectorXd &gap,
+                        const ActiveSet       &old,
+                        const double           gap_tolerance)
       {
         ActiveSet active;
         active.reserve(old.size() + 16);
@@ -41,7 +42,8 @@ namespace Tribody
         return active;
       }
 
-      double largest(const Eigen::VectorXd &values, const ActiveSet &active)
+      double
+      largest(const Eigen::VectorXd &values, const ActiveSet &active)
       {
         double result = 0.;
         for (const Eigen::Index i : active)
@@ -49,7 +51,8 @@ namespace Tribody
         return result;
       }
 
-      SolverReport failure(SolverReport report, const std::string &message)
+      SolverReport
+      failure(SolverReport report, const std::string &message)
       {
         report.converged = false;
         report.message   = message;
@@ -71,7 +74,8 @@ namespace Tribody
 
 
 
-    ContactSolution ContactSolver::solve_force_controlled(
+    ContactSolution
+    ContactSolver::solve_force_controlled(
       const Eigen::Vector2d &force_per_length,
       const ContactSolution *warm_start)
     {
@@ -207,9 +211,10 @@ namespace Tribody
 
 
 
-    void ContactSolver::newton_step(const Eigen::Vector2d &force,
-                                    const PinGap          &pin,
-                                    Iterate               &iterate)
+    void
+    ContactSolver::newton_step(const Eigen::Vector2d &force,
+                               const PinGap          &pin,
+                               Iterate               &iterate)
     {
       // With y = C_A^{-1} m_A and z = C_A^{-1} g^0_A:
       //   lambda_A = y d - z,   (m_A^T y + H) d = f + m_A^T z,
@@ -247,7 +252,8 @@ namespace Tribody
 
 
 
-    SolverReport ContactSolver::iterate_forces(Iterate &iterate)
+    SolverReport
+    ContactSolver::iterate_forces(Iterate &iterate)
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
@@ -289,8 +295,9 @@ namespace Tribody
 
 
 
-    bool ContactSolver::solve_programme(const Eigen::Vector2d *force,
-                                        Iterate               &iterate) const
+    bool
+    ContactSolver::solve_programme(const Eigen::Vector2d *force,
+                                   Iterate               &iterate) const
     {
       const PinGap pin(surface.positions, iterate.pin_centre, pin_radius);
       const ContactProgramme programme{compliance,
@@ -325,7 +332,8 @@ namespace Tribody
 
 
 
-    double ContactSolver::gap_tolerance(
+    double
+    ContactSolver::gap_tolerance(
       const Eigen::VectorXd &elastic_displacement) const
     {
       // A distance is known to a few roundings only; under forces so small

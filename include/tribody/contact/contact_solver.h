@@ -65,7 +65,8 @@ namespace Tribody
       solve_position_controlled(const Eigen::Vector2d &pin_centre,
                                 const ContactSolution *warm_start = nullptr);
 
-      const BoreSurface &bore_surface() const
+      const BoreSurface &
+      bore_surface() const
       {
         return surface;
       }
@@ -79,28 +80,32 @@ namespace Tribody
         ActiveSet       active_set;
       };
 
-      Iterate first_iterate(const Eigen::Vector2d &direction,
-                            const ContactSolution *warm_start) const;
+      Iterate
+      first_iterate(const Eigen::Vector2d &direction,
+                    const ContactSolution *warm_start) const;
 
-      SolverReport iterate_pin_and_forces(const Eigen::Vector2d &force,
-                                          Iterate               &iterate);
+      SolverReport
+      iterate_pin_and_forces(const Eigen::Vector2d &force, Iterate &iterate);
 
-      void newton_step(const Eigen::Vector2d &force,
-                       const PinGap          &pin,
-                       Iterate               &iterate);
+      void
+      newton_step(const Eigen::Vector2d &force,
+                  const PinGap          &pin,
+                  Iterate               &iterate);
 
-      SolverReport iterate_forces(Iterate &iterate);
+      SolverReport
+      iterate_forces(Iterate &iterate);
 
-      bool solve_programme(const Eigen::Vector2d *force,
-                           Iterate               &iterate) const;
+      bool
+      solve_programme(const Eigen::Vector2d *force, Iterate &iterate) const;
 
       Eigen::VectorXd
       compute_elastic_displacement(const Iterate &iterate) const;
 
-      double gap_tolerance(const Eigen::VectorXd &elastic_displacement) const;
+      double
+      gap_tolerance(const Eigen::VectorXd &elastic_displacement) const;
 
-      ContactSolution make_solution(const Iterate      &iterate,
-                                    const SolverReport &report) const;
+      ContactSolution
+      make_solution(const Iterate &iterate, const SolverReport &report) const;
 
       BoreSurface             surface;
       Eigen::MatrixXd         compliance;
