@@ -137,5 +137,4 @@ main(int argc, char **argv)
   std::cout << "difference below 1e-4 um " << (fine < 1e-4)
             << ", falls by more than 8 times " << (coarse > 8. * fine)
             << std::endl;
-  std::cerr << coarse << ' ' << fine << std::endl;
 }
