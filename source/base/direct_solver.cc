@@ -34,7 +34,8 @@ namespace Tribody
 
 
 
-  Eigen::MatrixXd DirectSolver::solve(
+  Eigen::MatrixXd
+  DirectSolver::solve(
     const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const
   {
     AssertDimension(right_hand_sides.rows(),

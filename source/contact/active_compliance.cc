@@ -4,8 +4,9 @@ namespace Tribody
 {
   namespace Contact
   {
-    void ActiveCompliance::update(const Eigen::MatrixXd &compliance,
-                                  const ActiveSet       &nodes)
+    void
+    ActiveCompliance::update(const Eigen::MatrixXd &compliance,
+                             const ActiveSet       &nodes)
     {
       if (nodes == active_set)
         return;

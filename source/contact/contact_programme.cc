@@ -14,8 +14,9 @@ namespace Tribody
     {
       /// Two neighbouring nodes that carry the whole force: the first point
       /// that satisfies the constraint.
-      void carry_by_two_nodes(const ContactProgramme   &programme,
-                              ContactProgrammeSolution &solution)
+      void
+      carry_by_two_nodes(const ContactProgramme   &programme,
+                         ContactProgrammeSolution &solution)
       {
         const auto        &m = programme.directions;
         const Eigen::Index n = m.cols();
@@ -40,10 +41,11 @@ namespace Tribody
       }
 
       /// The minimum with the forces of all other nodes zero, signs ignored.
-      Eigen::VectorXd minimise_over(const ActiveSet        &active,
-                                    const ContactProgramme &programme,
-                                    ActiveCompliance       &factor,
-                                    Eigen::Vector2d        &pin_step)
+      Eigen::VectorXd
+      minimise_over(const ActiveSet        &active,
+                    const ContactProgramme &programme,
+                    ActiveCompliance       &factor,
+                    Eigen::Vector2d        &pin_step)
       {
         pin_step.setZero();
         if (active.empty())
@@ -70,9 +72,10 @@ namespace Tribody
       }
 
       /// The node that the optimality conditions want in contact, or -1.
-      Eigen::Index find_entering(const ContactProgramme         &programme,
-                                 const ContactProgrammeSolution &solution,
-                                 const bool                      smallest_index)
+      Eigen::Index
+      find_entering(const ContactProgramme         &programme,
+                    const ContactProgrammeSolution &solution,
+                    const bool                      smallest_index)
       {
         Eigen::VectorXd gap       = programme.compliance * solution.nodal_force;
         const double    tolerance = std::max(programme.gap_tolerance,
@@ -99,8 +102,8 @@ namespace Tribody
       /// Go towards @p target as far as no force turns into tension; the node
       /// that stops the way leaves the active set. Returns the length of the
       /// way in [0, 1].
-      double advance(const Eigen::VectorXd    &target,
-                     ContactProgrammeSolution &solution)
+      double
+      advance(const Eigen::VectorXd &target, ContactProgrammeSolution &solution)
       {
         auto       &active   = solution.active_set;
         double      length   = 1.;

@@ -12,8 +12,8 @@ namespace Tribody
     namespace
     {
       /// From @p direction counter-clockwise to @p other, in [0, 2 pi).
-      double turn(const Eigen::Vector2d &direction,
-                  const Eigen::Vector2d &other)
+      double
+      turn(const Eigen::Vector2d &direction, const Eigen::Vector2d &other)
       {
         const double sine   = direction[0] * other[1] - direction[1] * other[0];
         const double cosine = direction.dot(other);
@@ -28,10 +28,11 @@ namespace Tribody
        * @param last node in contact.
        * @param outward +1 if the contact ends counter-clockwise, else -1.
        */
-      double overhang(const ContactSolution &solution,
-                      const BoreSurface     &surface,
-                      const Eigen::Index     last,
-                      const int              outward)
+      double
+      overhang(const ContactSolution &solution,
+               const BoreSurface     &surface,
+               const Eigen::Index     last,
+               const int              outward)
       {
         const Eigen::Index n    = surface.n_nodes();
         const auto         node = [&](const int steps) {
@@ -61,8 +62,9 @@ namespace Tribody
 
 
 
-    double contact_half_angle(const ContactSolution &solution,
-                              const BoreSurface     &surface)
+    double
+    contact_half_angle(const ContactSolution &solution,
+                       const BoreSurface     &surface)
     {
       const auto       &active = solution.active_set;
       const std::size_t m      = active.size();
@@ -98,8 +100,8 @@ namespace Tribody
 
 
 
-    double peak_pressure(const ContactSolution &solution,
-                         const BoreSurface     &surface)
+    double
+    peak_pressure(const ContactSolution &solution, const BoreSurface &surface)
     {
       // Least squares over equidistant points (Savitzky and Golay, 1964).
       const Eigen::Index           n       = surface.n_nodes();

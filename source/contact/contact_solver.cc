@@ -15,7 +15,8 @@ namespace Tribody
   {
     namespace
     {
-      SolverReport failure(SolverReport report, const std::string &message)
+      SolverReport
+      failure(SolverReport report, const std::string &message)
       {
         report.converged = false;
         report.message   = message;
@@ -37,7 +38,8 @@ namespace Tribody
 
 
 
-    ContactSolution ContactSolver::solve_force_controlled(
+    ContactSolution
+    ContactSolver::solve_force_controlled(
       const Eigen::Vector2d &force_per_length,
       const ContactSolution *warm_start)
     {
@@ -127,7 +129,8 @@ namespace Tribody
 
 
 
-    void ContactSolver::evaluate_gap(Iterate &iterate) const
+    void
+    ContactSolver::evaluate_gap(Iterate &iterate) const
     {
       iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
       iterate.gap.setZero(surface.n_nodes());
@@ -183,8 +186,8 @@ namespace Tribody
 
 
 
-    void ContactSolver::newton_step(const Eigen::Vector2d &force,
-                                    Iterate               &iterate)
+    void
+    ContactSolver::newton_step(const Eigen::Vector2d &force, Iterate &iterate)
     {
       // With y = C_A^{-1} m_A and z = C_A^{-1} g^0_A:
       //   lambda_A = y d - z,   (m_A^T y + H) d = f + m_A^T z,
@@ -206,8 +209,10 @@ namespace Tribody
       const Eigen::MatrixX3d yz = active_compliance.solve(right_hand_sides);
       const auto             m  = right_hand_sides.leftCols<2>();
       const auto             y  = yz.leftCols<2>();
-      const Eigen::Matrix2d  stiffness = m.transpose() * y;
-      const Eigen::Vector2d  step =
+      Eigen::Matrix2d        stiffness = m.transpose() * y;
+      // One node alone does not hold the pin sideways.
+      stiffness.diagonal().array() += 1e-14 * stiffness.trace();
+      const Eigen::Vector2d step =
         (stiffness + geometric).inverse() * (force + m.transpose() * yz.col(2));
 
       Eigen::VectorXd forces = y * step - yz.col(2);
@@ -223,7 +228,8 @@ namespace Tribody
 
 
 
-    SolverReport ContactSolver::iterate_forces(Iterate &iterate)
+    SolverReport
+    ContactSolver::iterate_forces(Iterate &iterate)
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
@@ -258,8 +264,9 @@ namespace Tribody
 
 
 
-    bool ContactSolver::solve_programme(const Eigen::Vector2d *force,
-                                        Iterate               &iterate) const
+    bool
+    ContactSolver::solve_programme(const Eigen::Vector2d *force,
+                                   Iterate               &iterate) const
     {
       iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
       const ContactProgramme programme{
@@ -286,7 +293,8 @@ namespace Tribody
 
 
 
-    ActiveSet ContactSolver::next_active_set(const Iterate &iterate)
+    ActiveSet
+    ContactSolver::next_active_set(const Iterate &iterate)
     {
       ActiveSet active;
       active.reserve(iterate.active_set.size() + 16);
@@ -305,7 +313,8 @@ namespace Tribody
 
 
 
-    double ContactSolver::relative_gap(const Iterate &iterate) const
+    double
+    ContactSolver::relative_gap(const Iterate &iterate) const
     {
       double largest = 0.;
       for (const Eigen::Index i : iterate.active_set)

@@ -8,7 +8,8 @@ namespace Tribody
 {
   namespace Contact
   {
-    void ContactSolverParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    ContactSolverParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_quantity(
         prm,
@@ -39,7 +40,8 @@ namespace Tribody
 
 
 
-    void ContactSolverParameters::check(const std::string &path) const
+    void
+    ContactSolverParameters::check(const std::string &path) const
     {
       AssertThrow(tolerance >= 1e-14 && tolerance <= 1e-3,
                   ExcParameter(path + "/Tolerance",

@@ -55,10 +55,11 @@ namespace Tribody
         }
 
         /// Solve one linearisation about @p pin and the nodal @p forces.
-        dealii::Vector<double> solve(const PinGap            &pin,
-                                     const Eigen::VectorXd   &forces,
-                                     const std::vector<bool> &active,
-                                     const Eigen::Vector2d   &force_per_length)
+        dealii::Vector<double>
+        solve(const PinGap            &pin,
+              const Eigen::VectorXd   &forces,
+              const std::vector<bool> &active,
+              const Eigen::Vector2d   &force_per_length)
         {
           matrix = 0.;
           for (const auto &entry : stiffness)
@@ -94,7 +95,8 @@ namespace Tribody
           return DirectSolver(matrix).solve(right_hand_side);
         }
 
-        Eigen::Vector2d pin_step(const dealii::Vector<double> &solution) const
+        Eigen::Vector2d
+        pin_step(const dealii::Vector<double> &solution) const
         {
           return {solution[n_dofs], solution[n_dofs + 1]};
         }
@@ -118,13 +120,14 @@ namespace Tribody
         }
 
       private:
-        global_dof_index dof(const Eigen::Index node,
-                             const unsigned int component) const
+        global_dof_index
+        dof(const Eigen::Index node, const unsigned int component) const
         {
           return component == 0 ? nodes.x_dofs[node] : nodes.y_dofs[node];
         }
 
-        global_dof_index force_index(const Eigen::Index node) const
+        global_dof_index
+        force_index(const Eigen::Index node) const
         {
           return n_dofs + 2 + node;
         }
@@ -138,8 +141,9 @@ namespace Tribody
 
       /// Releases what pulls, catches what is penetrated; true if the set
       /// changed.
-      bool update_active_set(const Contact::ContactSolution &solution,
-                             std::vector<bool>              &active)
+      bool
+      update_active_set(const Contact::ContactSolution &solution,
+                        std::vector<bool>              &active)
       {
         const double tolerance = 1e-12 * solution.gap.cwiseAbs().maxCoeff();
         bool         changed   = false;

@@ -26,9 +26,10 @@ namespace Tribody
 
       /// The stiffness of one cell; the element's basis is scalar times unit
       /// vector, so that every strain has one row of the gradient only.
-      void compute_cell_matrix(const dealii::FEValues<2>  &fe_values,
-                               const PlaneHooke           &law,
-                               dealii::FullMatrix<double> &cell_matrix)
+      void
+      compute_cell_matrix(const dealii::FEValues<2>  &fe_values,
+                          const PlaneHooke           &law,
+                          dealii::FullMatrix<double> &cell_matrix)
       {
         const auto        &fe = fe_values.get_fe();
         const unsigned int n  = fe.n_dofs_per_cell();
@@ -91,7 +92,8 @@ namespace Tribody
 
 
 
-    void BushingElasticity::reinit(const dealii::Mapping<2, 2> &mapping)
+    void
+    BushingElasticity::reinit(const dealii::Mapping<2, 2> &mapping)
     {
       solver.reset();
       assemble(mapping);
@@ -100,7 +102,8 @@ namespace Tribody
 
 
 
-    void BushingElasticity::assemble(const dealii::Mapping<2, 2> &mapping)
+    void
+    BushingElasticity::assemble(const dealii::Mapping<2, 2> &mapping)
     {
       stiffness = 0.;
       // One order more than affine cells need: the cells at the bore are

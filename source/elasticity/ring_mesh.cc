@@ -11,7 +11,8 @@ namespace Tribody
 {
   namespace Elasticity
   {
-    void RingMeshParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    RingMeshParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_integer(
         prm,
@@ -40,7 +41,8 @@ namespace Tribody
 
 
 
-    void RingMeshParameters::check(const std::string &path) const
+    void
+    RingMeshParameters::check(const std::string &path) const
     {
       AssertThrow(grading >= 0. && grading <= 5.,
                   ExcParameter(path + "/Grading",
@@ -49,10 +51,11 @@ namespace Tribody
 
 
 
-    void make_ring_mesh(const RingMeshParameters    &parameters,
-                        const double                 inner_radius,
-                        const double                 outer_radius,
-                        dealii::Triangulation<2, 2> &triangulation)
+    void
+    make_ring_mesh(const RingMeshParameters    &parameters,
+                   const double                 inner_radius,
+                   const double                 outer_radius,
+                   dealii::Triangulation<2, 2> &triangulation)
     {
       static_assert(BoundaryIds::bore == 0 && BoundaryIds::rim == 1,
                     "GridGenerator::concentric_hyper_shells says so");

@@ -12,7 +12,8 @@ namespace Tribody
 
 
 
-    void StressPostprocessor::evaluate_vector_field(
+    void
+    StressPostprocessor::evaluate_vector_field(
       const dealii::DataPostprocessorInputs::Vector<2> &inputs,
       std::vector<dealii::Vector<double>>              &stresses) const
     {
@@ -40,7 +41,8 @@ namespace Tribody
 
 
 
-    std::vector<std::string> StressPostprocessor::get_names() const
+    std::vector<std::string>
+    StressPostprocessor::get_names() const
     {
       return {"stress",
               "stress",
@@ -67,7 +69,8 @@ namespace Tribody
 
 
 
-    dealii::UpdateFlags StressPostprocessor::get_needed_update_flags() const
+    dealii::UpdateFlags
+    StressPostprocessor::get_needed_update_flags() const
     {
       return dealii::update_gradients;
     }

@@ -21,8 +21,9 @@ namespace Tribody
     namespace
     {
       /// The points of two rules; the weights are of no use.
-      dealii::Quadrature<2> join_points(const dealii::Quadrature<2> &a,
-                                        const dealii::Quadrature<2> &b)
+      dealii::Quadrature<2>
+      join_points(const dealii::Quadrature<2> &a,
+                  const dealii::Quadrature<2> &b)
       {
         auto points = a.get_points();
         points.insert(points.end(),
@@ -78,7 +79,8 @@ namespace Tribody
 
 
 
-    void WornConfiguration::setup_extension()
+    void
+    WornConfiguration::setup_extension()
     {
       fixed_boundary.merge(hanging_nodes);
       for (const auto id : {BoundaryIds::bore, BoundaryIds::rim})
@@ -131,7 +133,8 @@ namespace Tribody
 
 
 
-    void WornConfiguration::update(const Eigen::VectorXd &wear_depth)
+    void
+    WornConfiguration::update(const Eigen::VectorXd &wear_depth)
     {
       AssertDimension(wear_depth.size(), nodes.n_nodes());
       const dealii::Vector<double> new_wear = compute_extension(wear_depth);
@@ -146,7 +149,8 @@ namespace Tribody
 
 
 
-    dealii::Vector<double> WornConfiguration::compute_extension(
+    dealii::Vector<double>
+    WornConfiguration::compute_extension(
       const Eigen::VectorXd &wear_depth) const
     {
       const Eigen::Matrix2Xd moved =
@@ -211,7 +215,8 @@ namespace Tribody
 
 
 
-    Eigen::Matrix2Xd WornConfiguration::worn_positions() const
+    Eigen::Matrix2Xd
+    WornConfiguration::worn_positions() const
     {
       Eigen::Matrix2Xd positions = nodes.positions;
       for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
@@ -224,7 +229,8 @@ namespace Tribody
 
 
 
-    double WornConfiguration::area() const
+    double
+    WornConfiguration::area() const
     {
       dealii::FEValues<2> fe_values(*worn_mapping,
                                     fe,

@@ -29,7 +29,8 @@ namespace Tribody
 
     /// The angle of @p point about the origin in [0, 2 pi); what rounding
     /// has put below zero is zero.
-    double angle_of(const dealii::Point<2> &point)
+    double
+    angle_of(const dealii::Point<2> &point)
     {
       const double angle = std::atan2(point[1], point[0]);
       if (angle >= 0.)
@@ -47,7 +48,8 @@ namespace Tribody
       std::set<std::pair<global_dof_index, global_dof_index>> ends;
     };
 
-    BoreFaces collect_bore_faces(const dealii::DoFHandler<2> &dof_handler)
+    BoreFaces
+    collect_bore_faces(const dealii::DoFHandler<2> &dof_handler)
     {
       const auto        &fe = dof_handler.get_fe();
       const unsigned int n  = fe.n_dofs_per_face();
@@ -95,7 +97,8 @@ namespace Tribody
     }
 
     /// Counter-clockwise, beginning with the vertex of smallest angle.
-    std::vector<Node> sort_nodes(const BoreFaces &faces)
+    std::vector<Node>
+    sort_nodes(const BoreFaces &faces)
     {
       std::vector<Node> nodes;
       for (const auto &[dof, node] : faces.nodes)
@@ -113,9 +116,10 @@ namespace Tribody
       return nodes;
     }
 
-    void check_closed(const std::vector<Node> &nodes,
-                      const BoreFaces         &faces,
-                      const unsigned int       degree)
+    void
+    check_closed(const std::vector<Node> &nodes,
+                 const BoreFaces         &faces,
+                 const unsigned int       degree)
     {
       bool closed =
         faces.ends.size() >= 3 && nodes.size() == degree * faces.ends.size();
@@ -139,14 +143,16 @@ namespace Tribody
 
 
 
-  Eigen::Matrix2Xd BoreNodes::radial_directions() const
+  Eigen::Matrix2Xd
+  BoreNodes::radial_directions() const
   {
     return positions.colwise().normalized();
   }
 
 
 
-  BoreNodes make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler)
+  BoreNodes
+  make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
     const BoreFaces    faces  = collect_bore_faces(dof_handler);

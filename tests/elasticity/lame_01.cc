@@ -45,13 +45,15 @@ struct Lame
     B = -A * b * b;
   }
 
-  dealii::Tensor<1, 2> displacement(const dealii::Point<2> &x) const
+  dealii::Tensor<1, 2>
+  displacement(const dealii::Point<2> &x) const
   {
     return (A + B / x.norm_square()) * x;
   }
 
   /// xx, xy, yx, yy, zz, von Mises.
-  dealii::Vector<double> stress(const dealii::Point<2> &x) const
+  dealii::Vector<double>
+  stress(const dealii::Point<2> &x) const
   {
     const double         r2 = x.norm_square();
     dealii::Tensor<2, 3> strain;

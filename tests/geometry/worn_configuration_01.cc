@@ -109,8 +109,8 @@ public:
     , depth(depth)
   {}
 
-  double value(const dealii::Point<2> &x,
-               const unsigned int      component) const override
+  double
+  value(const dealii::Point<2> &x, const unsigned int component) const override
   {
     return depth * a / (b * b - a * a) * (b * b / x.norm_square() - 1.) *
            x[component];

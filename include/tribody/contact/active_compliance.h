@@ -18,7 +18,8 @@ namespace Tribody
     {
     public:
       /// Restrict @p compliance to @p nodes.
-      void update(const Eigen::MatrixXd &compliance, const ActiveSet &nodes);
+      void
+      update(const Eigen::MatrixXd &compliance, const ActiveSet &nodes);
 
       /// @f$ C_A^{-1} @f$ times @p right_hand_sides.
       Eigen::MatrixXd

@@ -52,8 +52,9 @@ namespace Tribody
      * With fewer than six nodes in contact the end is set halfway between
      * them.
      */
-    double contact_half_angle(const ContactSolution &solution,
-                              const BoreSurface     &surface);
+    double
+    contact_half_angle(const ContactSolution &solution,
+                       const BoreSurface     &surface);
 
     /**
      * The largest contact pressure [Pa]: the parabola that fits five nodes in
@@ -62,8 +63,8 @@ namespace Tribody
      * where no five nodes in contact surround it; a smooth peak is kept.
      * If no five neighbours are in contact, the nodes are all there is.
      */
-    double peak_pressure(const ContactSolution &solution,
-                         const BoreSurface     &surface);
+    double
+    peak_pressure(const ContactSolution &solution, const BoreSurface &surface);
   } // namespace Contact
 } // namespace Tribody
 

@@ -64,12 +64,14 @@ namespace Tribody
       solve_position_controlled(const Eigen::Vector2d &pin_centre,
                                 const ContactSolution *warm_start = nullptr);
 
-      const Eigen::MatrixXd &normal_compliance() const
+      const Eigen::MatrixXd &
+      normal_compliance() const
       {
         return compliance;
       }
 
-      const BoreSurface &bore_surface() const
+      const BoreSurface &
+      bore_surface() const
       {
         return surface;
       }
@@ -89,20 +91,24 @@ namespace Tribody
         double gap_tolerance;
       };
 
-      Iterate first_iterate(const Eigen::Vector2d &force,
-                            const ContactSolution *warm_start) const;
+      Iterate
+      first_iterate(const Eigen::Vector2d &force,
+                    const ContactSolution *warm_start) const;
 
-      void evaluate_gap(Iterate &iterate) const;
+      void
+      evaluate_gap(Iterate &iterate) const;
 
-      SolverReport iterate_pin_and_forces(const Eigen::Vector2d &force,
-                                          Iterate               &iterate);
+      SolverReport
+      iterate_pin_and_forces(const Eigen::Vector2d &force, Iterate &iterate);
 
-      void newton_step(const Eigen::Vector2d &force, Iterate &iterate);
+      void
+      newton_step(const Eigen::Vector2d &force, Iterate &iterate);
 
-      SolverReport iterate_forces(Iterate &iterate);
+      SolverReport
+      iterate_forces(Iterate &iterate);
 
-      bool solve_programme(const Eigen::Vector2d *force,
-                           Iterate               &iterate) const;
+      bool
+      solve_programme(const Eigen::Vector2d *force, Iterate &iterate) const;
 
       /**
        * Nodes in contact stay as long as they are pressed, others enter when
@@ -110,13 +116,15 @@ namespace Tribody
        * has turned to tension, not because its gap has opened: as long as it
        * is held, its gap is zero by construction.
        */
-      static ActiveSet next_active_set(const Iterate &iterate);
+      static ActiveSet
+      next_active_set(const Iterate &iterate);
 
       /// Largest gap left in contact in units of what the tolerance refers to.
-      double relative_gap(const Iterate &iterate) const;
+      double
+      relative_gap(const Iterate &iterate) const;
 
-      ContactSolution make_solution(const Iterate      &iterate,
-                                    const SolverReport &report) const;
+      ContactSolution
+      make_solution(const Iterate &iterate, const SolverReport &report) const;
 
       BoreSurface             surface;
       Eigen::MatrixXd         compliance;

@@ -23,11 +23,13 @@ namespace Tribody
       /// Linearisations of the fall-back [-].
       unsigned int max_linearisations = 30;
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @param path of the subsection, for the message.
       /// @throws ExcParameter if the tolerance is out of reach.
-      void check(const std::string &path) const;
+      void
+      check(const std::string &path) const;
     };
   } // namespace Contact
 } // namespace Tribody

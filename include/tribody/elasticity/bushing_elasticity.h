@@ -54,7 +54,8 @@ namespace Tribody
 
       /// Assemble the stiffness on the image of the mesh under @p mapping and
       /// factorise it.
-      void reinit(const dealii::Mapping<2, 2> &mapping);
+      void
+      reinit(const dealii::Mapping<2, 2> &mapping);
 
       /**
        * The displacement of every bore node along its normal under a unit
@@ -65,36 +66,43 @@ namespace Tribody
        * @param normals unit vectors, one column for each bore node.
        * @throws ExcRun if the result is not symmetric to rounding.
        */
-      Eigen::MatrixXd normal_compliance(const Eigen::Matrix2Xd &normals) const;
+      Eigen::MatrixXd
+      normal_compliance(const Eigen::Matrix2Xd &normals) const;
 
       /// Displacement [m] under forces at the bore nodes [N/m], one column
       /// each.
-      dealii::Vector<double> solve(const Eigen::Matrix2Xd &nodal_forces) const;
+      dealii::Vector<double>
+      solve(const Eigen::Matrix2Xd &nodal_forces) const;
 
-      const dealii::DoFHandler<2, 2> &get_dof_handler() const
+      const dealii::DoFHandler<2, 2> &
+      get_dof_handler() const
       {
         return dof_handler;
       }
 
-      const BoreNodes &bore_nodes() const
+      const BoreNodes &
+      bore_nodes() const
       {
         return nodes;
       }
 
       /// The stiffness [Pa], with the rows and columns of the rim replaced by
       /// diagonal entries.
-      const dealii::TrilinosWrappers::SparseMatrix &system_matrix() const
+      const dealii::TrilinosWrappers::SparseMatrix &
+      system_matrix() const
       {
         return stiffness;
       }
 
-      const PlaneHooke &hooke() const
+      const PlaneHooke &
+      hooke() const
       {
         return law;
       }
 
     private:
-      void assemble(const dealii::Mapping<2, 2> &mapping);
+      void
+      assemble(const dealii::Mapping<2, 2> &mapping);
 
       PlaneHooke                             law;
       dealii::FESystem<2>                    fe;

@@ -28,11 +28,13 @@ namespace Tribody
       /// Grading from the bore outward [-]; 0 makes all layers equally thick.
       double grading = 1.5;
 
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @param path of the subsection, for the message.
       /// @throws ExcParameter for a value that cannot be meshed.
-      void check(const std::string &path) const;
+      void
+      check(const std::string &path) const;
     };
 
     /**
@@ -42,10 +44,11 @@ namespace Tribody
      * @f[ r_k = r_o - (r_o - r_i)\,\frac{\tanh(\gamma (1 - k/n))}{\tanh\gamma}
      * @f] with the grading @f$\gamma@f$.
      */
-    void make_ring_mesh(const RingMeshParameters    &parameters,
-                        const double                 inner_radius,
-                        const double                 outer_radius,
-                        dealii::Triangulation<2, 2> &triangulation);
+    void
+    make_ring_mesh(const RingMeshParameters    &parameters,
+                   const double                 inner_radius,
+                   const double                 outer_radius,
+                   dealii::Triangulation<2, 2> &triangulation);
   } // namespace Elasticity
 } // namespace Tribody
 

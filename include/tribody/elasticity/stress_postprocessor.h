@@ -22,17 +22,20 @@ namespace Tribody
     public:
       explicit StressPostprocessor(const PlaneHooke &law);
 
-      void evaluate_vector_field(
+      void
+      evaluate_vector_field(
         const dealii::DataPostprocessorInputs::Vector<2> &inputs,
         std::vector<dealii::Vector<double>> &stresses) const override;
 
-      std::vector<std::string> get_names() const override;
+      std::vector<std::string>
+      get_names() const override;
 
       std::vector<
         dealii::DataComponentInterpretation::DataComponentInterpretation>
       get_data_component_interpretation() const override;
 
-      dealii::UpdateFlags get_needed_update_flags() const override;
+      dealii::UpdateFlags
+      get_needed_update_flags() const override;
 
     private:
       PlaneHooke law;

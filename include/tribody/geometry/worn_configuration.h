@@ -51,8 +51,9 @@ namespace Tribody
 
       ~WornConfiguration();
 
-      WornConfiguration(const WornConfiguration &)            = delete;
-      WornConfiguration &operator=(const WornConfiguration &) = delete;
+      WornConfiguration(const WornConfiguration &) = delete;
+      WornConfiguration &
+      operator=(const WornConfiguration &) = delete;
 
       /**
        * Take the shape that belongs to the total wear depth [m] at the bore
@@ -61,45 +62,54 @@ namespace Tribody
        * @throws ExcRun if a cell would be turned inside out at one of its
        *   quadrature points or nodes; the shape is then what it was before.
        */
-      void update(const Eigen::VectorXd &wear_depth);
+      void
+      update(const Eigen::VectorXd &wear_depth);
 
       /// Onto the worn bushing. Valid as long as this object; follows update().
-      const dealii::Mapping<2, 2> &mapping() const
+      const dealii::Mapping<2, 2> &
+      mapping() const
       {
         return *worn_mapping;
       }
 
       /// The bore nodes as manufactured.
-      const BoreNodes &bore_nodes() const
+      const BoreNodes &
+      bore_nodes() const
       {
         return nodes;
       }
 
       /// Positions of the bore nodes on the worn mapping [m], one column each.
-      Eigen::Matrix2Xd worn_positions() const;
+      Eigen::Matrix2Xd
+      worn_positions() const;
 
       /// Area of the worn ring [m^2], by quadrature over its cells.
-      double area() const;
+      double
+      area() const;
 
       /// The displacement w [m] by wear alone, for output.
-      const dealii::Vector<double> &wear_displacement() const
+      const dealii::Vector<double> &
+      wear_displacement() const
       {
         return wear;
       }
 
-      const dealii::DoFHandler<2, 2> &get_dof_handler() const
+      const dealii::DoFHandler<2, 2> &
+      get_dof_handler() const
       {
         return dof_handler;
       }
 
     private:
-      void setup_extension();
+      void
+      setup_extension();
 
       dealii::Vector<double>
       compute_extension(const Eigen::VectorXd &wear_depth) const;
 
-      void check_cells(const dealii::Vector<double> &displacement,
-                       const double                  max_wear_depth) const;
+      void
+      check_cells(const dealii::Vector<double> &displacement,
+                  const double                  max_wear_depth) const;
 
       std::string                            name;
       dealii::FESystem<2>                    fe;
