@@ -1,0 +1,117 @@
+#ifndef tribody_multibody_clearance_joint_h
+#define tribody_multibody_clearance_joint_h
+
+#include <tribody/multibody/contact_force_law.h>
+#include <tribody/multibody/friction_law.h>
+#include <tribody/multibody/pair_force.h>
+
+#include <string>
+
+namespace Tribody
+{
+  class ClearanceProfile;
+
+  namespace Multibody
+  {
+    /// What happens in a joint with clearance at one instant.
+    struct JointContact
+    {
+      /// Pin centre minus bushing centre, e [m], global axes.
+      Eigen::Vector2d eccentricity = Eigen::Vector2d::Zero();
+      /// n = e/|e|, from the bushing's centre to the contact, global axes.
+      Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
+      /// Angle of n in the frame of the bushing's body [rad].
+      double angle_in_bushing = 0.;
+      /// Angle of n in the frame of the pin's body [rad].
+      double angle_in_pin = 0.;
+      /// delta = |e| - c [m] and its rate [m/s].
+      double penetration      = 0.;
+      double penetration_rate = 0.;
+      /// Velocity of the pin's surface relative to the bushing's along k x n
+      /// [m/s].
+      double sliding_speed = 0.;
+      /// Swing of the pin's centre along k x n in the bushing's frame [m/s].
+      double swing_speed = 0.;
+      /// F_N [N], on the bushing along n.
+      double normal_force = 0.;
+      /// Friction and tangential damping [N], on the bushing along k x n.
+      double tangential_force = 0.;
+
+      /// Force of the pin on the bushing [N], global axes.
+      Eigen::Vector2d
+      force() const
+      {
+        return normal_force * direction +
+               tangential_force * perpendicular(direction);
+      }
+    };
+
+    /**
+     * A revolute joint with clearance: no constraint, but a force while the pin
+     * (radius R_i, body 1) touches the bushing (radius R_j, body 2). With
+     * @f$ e = p_1 - p_2 @f$, @f$ n = e/|e| @f$ and @f$\theta@f$ the angle of n
+     * in the bushing's frame,
+     * @f[ \delta = |e| - c(\theta), \qquad
+     *     \dot\delta = \dot e \cdot n - c'(\theta)\,\dot\theta, @f]
+     * (eq. 28 of @cite mukras2010), contact for @f$\delta>0@f$. The forces act
+     * at the contact points @f$ p_m + R_m n @f$, eqs. (12)-(20); friction acts
+     * against the relative velocity of the *material* points there,
+     * @f$ v_t = \dot e \cdot (k\times n) + R_i\omega_1 - R_j\omega_2 @f$.
+     *
+     * The damping coefficient @f$d_t@f$ acts on the swing of the pin's centre,
+     * @f$ \dot e \cdot (k\times n) - \omega_2 |e| @f$, while there is contact:
+     * no term of eq. (9) does, and friction that never reverses does not
+     * either.
+     */
+    struct ClearanceJoint
+    {
+      std::string     name;
+      BodyPair        bodies;
+      Eigen::Vector2d s_1;
+      Eigen::Vector2d s_2;
+      /// R_i, R_j [m].
+      double pin_radius;
+      double bushing_radius;
+
+      ContactForceLaw contact_law;
+      FrictionLaw     friction_law;
+      /// d_t [N s/m].
+      double tangential_damping;
+      /// Floor of the approach speed [m/s]: also its value for a motion that
+      /// starts in contact, where none was seen.
+      double minimum_approach_speed;
+
+      /// As manufactured, R_j - R_i [m].
+      double
+      nominal_clearance() const
+      {
+        return bushing_radius - pin_radius;
+      }
+
+      /// Everything about the contact but its derivatives.
+      JointContact
+      compute_contact(const PairVector       &q,
+                      const PairVector       &v,
+                      const ClearanceProfile &clearance,
+                      const double            approach_speed) const;
+
+      /// delta [m] alone, for root functions.
+      double
+      compute_penetration(const PairVector       &q,
+                          const ClearanceProfile &clearance) const;
+
+      /// Generalised forces that belong to @p contact.
+      PairVector
+      compute_force(const PairVector &q, const JointContact &contact) const;
+
+      /// Forces with their exact derivatives.
+      PairForce
+      compute_force_with_derivatives(const PairVector       &q,
+                                     const PairVector       &v,
+                                     const ClearanceProfile &clearance,
+                                     const double approach_speed) const;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

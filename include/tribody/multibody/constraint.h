@@ -1,0 +1,76 @@
+#ifndef tribody_multibody_constraint_h
+#define tribody_multibody_constraint_h
+
+#include <tribody/multibody/body_pair.h>
+
+#include <string>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /**
+     * One or two scalar equations @f$\Phi(q,t)=0@f$ between two bodies, with
+     * all the derivatives that the equations of motion and their Jacobian
+     * need. It is assumed that @f$\Phi_{qt}=0@f$. With one equation, the second
+     * row of everything is zero.
+     *
+     * To add a joint: derive from this class, and make it in
+     * Mechanism::add_joint().
+     */
+    class Constraint
+    {
+    public:
+      using Jacobian = Eigen::Matrix<double, 2, 6>;
+
+      Constraint(const std::string &description,
+                 const BodyPair    &bodies,
+                 const unsigned int n_equations)
+        : description(description)
+        , bodies(bodies)
+        , n_equations(n_equations)
+      {}
+
+      virtual ~Constraint() = default;
+
+      /// @f$\Phi@f$ [m or rad] at time @p t [s].
+      virtual Eigen::Vector2d
+      value(const double t, const PairVector &q) const = 0;
+
+      /// @f$\Phi_q@f$.
+      virtual Jacobian
+      jacobian(const PairVector &q) const = 0;
+
+      /// @f$\sum_k w_k\,\partial^2\Phi_k/\partial q^2@f$, symmetric.
+      virtual PairMatrix
+      weighted_hessian(const PairVector      &q,
+                       const Eigen::Vector2d &weights) const = 0;
+
+      /// @f$\Phi_t@f$.
+      virtual Eigen::Vector2d
+      time_derivative(const double /*t*/) const
+      {
+        return Eigen::Vector2d::Zero();
+      }
+
+      /// @f$\Phi_{tt}@f$.
+      virtual Eigen::Vector2d
+      second_time_derivative(const double /*t*/) const
+      {
+        return Eigen::Vector2d::Zero();
+      }
+
+      /// Force of the first body on the second [N], in global axes.
+      virtual Eigen::Vector2d
+      reaction_force(const PairVector      &q,
+                     const Eigen::Vector2d &multipliers) const = 0;
+
+      /// "Joint crank_pin", as in the parameter file.
+      const std::string  description;
+      const BodyPair     bodies;
+      const unsigned int n_equations;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

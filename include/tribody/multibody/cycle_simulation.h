@@ -1,0 +1,83 @@
+#ifndef tribody_multibody_cycle_simulation_h
+#define tribody_multibody_cycle_simulation_h
+
+#include <tribody/multibody/dynamics_parameters.h>
+#include <tribody/multibody/equations_of_motion.h>
+#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/reference_scales.h>
+#include <tribody/surface/clearance_profile.h>
+
+#include <map>
+#include <string>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    struct DutyCycle;
+    struct StartingState;
+
+    /**
+     * Finds the settled motion of a mechanism and records one cycle of it:
+     *
+     * @code
+     *   const Mechanism       mechanism(parameters);
+     *   const CycleSimulation simulation(mechanism, DynamicsParameters());
+     *   const DutyCycle cycle = simulation.run({{"crank_pin", worn_profile}});
+     * @endcode
+     *
+     * Without degrees of freedom it solves the positions at each sample, and
+     * forces by inverse dynamics. Otherwise it integrates, beginning at rest in
+     * its vibrations, until the joint forces repeat from cycle to cycle.
+     */
+    class CycleSimulation
+    {
+    public:
+      /**
+       * Assembles the mechanism and estimates the scales of its contacts, once
+       * for all runs. Keeps a reference to @p mechanism.
+       * @throws ExcParameter for what cannot be assembled, redundant
+       *   constraints, or a missing driver.
+       */
+      CycleSimulation(const Mechanism          &mechanism,
+                      const DynamicsParameters &parameters);
+
+      /**
+       * A settled cycle with the given clearances, by name of the joint; those
+       * not given are as manufactured. Whether it has really settled is in the
+       * result. @throws ExcRun if the integration fails.
+       */
+      DutyCycle
+      run(const std::map<std::string, ClearanceProfile> &clearances = {}) const;
+
+      const std::vector<ReferenceScale> &
+      reference_scales() const
+      {
+        return scales;
+      }
+
+    private:
+      std::vector<ClearanceProfile>
+      collect_clearances(
+        const std::map<std::string, ClearanceProfile> &by_name) const;
+
+      DutyCycle
+      run_kinematics(const EquationsOfMotion &equations) const;
+
+      DutyCycle
+      run_dynamics(const EquationsOfMotion &equations) const;
+
+      StartingState
+      compute_start(const EquationsOfMotion &equations) const;
+
+      const Mechanism            &mechanism;
+      const DynamicsParameters    parameters;
+      const Mechanism             closed_mechanism;
+      const EquationsOfMotion     closed_equations;
+      const double                period;
+      std::vector<ReferenceScale> scales;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,140 @@
+#ifndef tribody_multibody_duty_cycle_h
+#define tribody_multibody_duty_cycle_h
+
+#include <Eigen/Core>
+
+#include <tribody/multibody/ida_integrator.h>
+
+#include <string>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// What a pin does in its bushing.
+    enum class ContactState
+    {
+      /// No contact.
+      free = 0,
+      /// A contact shorter than the interval between samples.
+      impact = 1,
+      /// Lasting contact.
+      following = 2
+    };
+
+    /**
+     * One joint over a cycle; one entry per sample. Forces are those of the
+     * pin (first body) on the bushing (second body), in global axes.
+     *
+     * For an ideal revolute joint, the normal force is the whole reaction and
+     * the contact where it points; friction, eccentricity and penetration are
+     * zero. A translational joint has forces only.
+     */
+    struct JointDutyCycle
+    {
+      std::string name;
+      bool        is_revolute   = true;
+      bool        has_clearance = false;
+
+      /// Total force [N].
+      Eigen::VectorXd force_x;
+      Eigen::VectorXd force_y;
+      /// F_N [N], not negative.
+      Eigen::VectorXd normal_force;
+      /// On the bushing along k x n [N], where n points from the bushing's
+      /// centre to the contact: the sign of the sliding speed of the pin.
+      Eigen::VectorXd friction_force;
+      /// Direction of n in the frames of bushing and pin [rad], [0, 2 pi).
+      Eigen::VectorXd contact_angle_bushing;
+      Eigen::VectorXd contact_angle_pin;
+      /// R_j times the angle turned between pin and bushing from half an
+      /// interval before the sample to half an interval after [m], >= 0.
+      Eigen::VectorXd sliding_increment;
+      /// |e| and delta (negative: gap) [m].
+      Eigen::VectorXd           eccentricity;
+      Eigen::VectorXd           penetration;
+      std::vector<ContactState> state;
+
+      /// Contacts that began and ended in this cycle.
+      unsigned int n_onsets = 0;
+      unsigned int n_losses = 0;
+      /// Largest force [N] at any integration step since the start of the
+      /// motion, its impacts included.
+      double peak_force_since_start = 0.;
+      /// Vibration left in the force, relative to its peak: the largest fourth
+      /// difference of the force over half intervals, divided by 16, which
+      /// leaves what alternates and cancels what is smooth [-].
+      double residual_ringing = 0.;
+
+      /// Magnitude of the total force [N].
+      Eigen::VectorXd
+      force() const;
+
+      double
+      peak_force() const;
+
+      /// Mean of the total force over time [N].
+      double
+      mean_force() const;
+
+      /// Mean of the normal force over the sliding distance [N].
+      double
+      mean_normal_force() const;
+
+      /// Sum of the sliding increments [m].
+      double
+      sliding_distance() const;
+
+      /// Part of the samples in @p wanted [-].
+      double
+      share_of(const ContactState wanted) const;
+    };
+
+    /// How the motion came to repeat itself.
+    struct SettlingReport
+    {
+      /// Cycles that were run, the recorded one included.
+      unsigned int n_cycles = 0;
+      /// Largest change of a joint force from the cycle before, relative to
+      /// that joint's largest force [-].
+      double repeat_difference = 0.;
+      bool   converged         = false;
+      /// What did not go as wished; empty if everything did.
+      std::string message;
+    };
+
+    /**
+     * What the dynamics hands on: one cycle of all joints, sampled at equal
+     * times. Sample j stands for the interval of half a spacing before and
+     * after it.
+     */
+    struct DutyCycle
+    {
+      /// Time of one cycle [s].
+      double period = 0.;
+      /// Time since the start of the motion [s].
+      Eigen::VectorXd time;
+      /// 360 j / n [deg].
+      Eigen::VectorXd             phase;
+      std::vector<JointDutyCycle> joints;
+      /// One column per sample: (x, y, phi) of each body [m, rad], and their
+      /// rates.
+      Eigen::MatrixXd coordinates;
+      Eigen::MatrixXd velocities;
+
+      SettlingReport settling;
+      /// Largest entry of Phi in the recorded cycle [m, rad].
+      double constraint_drift = 0.;
+      /// The whole run, and the recorded cycle alone.
+      IntegratorStatistics statistics;
+      unsigned long        n_steps_in_cycle = 0;
+
+      /// @throws ExcMessage if there is no joint @p name.
+      const JointDutyCycle &
+      joint(const std::string &name) const;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,45 @@
+#ifndef tribody_multibody_dynamics_parameters_h
+#define tribody_multibody_dynamics_parameters_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// How the motion of a mechanism is integrated and recorded.
+    struct DynamicsParameters
+    {
+      /// Local error allowed in a penetration, relative to its size [-].
+      double accuracy = 1e-3;
+      /// Highest order of BDF; 0: 2 with clearance joints, 5 without.
+      unsigned int maximum_order = 0;
+      /// Samples of a duty cycle, at equal times.
+      unsigned int samples_per_cycle = 72;
+      /// Largest change of a joint force from one cycle to the next, relative
+      /// to the largest force, that counts as repeating [-].
+      double settling_tolerance = 5e-3;
+      /// Cycles that are run at most before one is taken as it is.
+      unsigned int maximum_settling_cycles = 20;
+      /// Integration steps in one cycle after which the run is given up.
+      unsigned int maximum_steps_per_cycle = 1000000;
+      /// "slow motion" or "centred".
+      std::string start = "slow motion";
+
+      /// Declares in the current subsection, "Dynamics".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @throws ExcParameter with paths that start with "Dynamics".
+      void
+      check() const;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

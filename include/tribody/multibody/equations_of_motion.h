@@ -1,0 +1,137 @@
+#ifndef tribody_multibody_equations_of_motion_h
+#define tribody_multibody_equations_of_motion_h
+
+#include <Eigen/Core>
+
+#include <tribody/multibody/clearance_joint.h>
+#include <tribody/surface/clearance_profile.h>
+
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    class Mechanism;
+
+    /// Kinetic and potential energy [J]. Contacts are not included.
+    struct Energy
+    {
+      double kinetic;
+      double potential;
+
+      double
+      total() const
+      {
+        return kinetic + potential;
+      }
+    };
+
+    /**
+     * The terms of the equations of motion of a mechanism whose joints have
+     * given clearances,
+     * @f[ M \dot v = Q(q, v) - \Phi_q^T \lambda, \qquad \Phi(q, t) = 0, @f]
+     * assembled over its elements. Nothing is allocated here: results are
+     * written to what the caller provides.
+     */
+    class EquationsOfMotion
+    {
+    public:
+      using Vector      = Eigen::Ref<Eigen::VectorXd>;
+      using Matrix      = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+      using ConstVector = const Eigen::Ref<const Eigen::VectorXd> &;
+
+      /// @p clearances in the order of mechanism.clearance_joints(). Keeps a
+      /// reference to @p mechanism.
+      EquationsOfMotion(const Mechanism                     &mechanism,
+                        const std::vector<ClearanceProfile> &clearances);
+
+      const Mechanism &
+      mechanism() const
+      {
+        return system;
+      }
+
+      /// Clearance of clearance joint @p joint.
+      const ClearanceProfile &
+      clearance(const unsigned int joint) const
+      {
+        return clearances[joint];
+      }
+
+      /// Phi(q, t).
+      void
+      assemble_constraints(const double t, ConstVector q, Vector phi) const;
+
+      /// Phi_q.
+      void
+      assemble_constraint_jacobian(ConstVector q, Matrix phi_q) const;
+
+      /// Phi_t, and d(Phi_t)/dt = Phi_tt.
+      void
+      assemble_time_derivatives(const double t,
+                                Vector       phi_t,
+                                Vector       phi_tt) const;
+
+      /// The vector (Phi_q v)_q v: accelerations that the constraints ask for
+      /// at constant velocities.
+      void
+      assemble_quadratic_terms(ConstVector q,
+                               ConstVector v,
+                               Vector      quadratic) const;
+
+      /// Add @p factor times d(Phi_q^T multipliers)/dq to @p matrix.
+      void
+      add_multiplier_derivative(ConstVector  q,
+                                ConstVector  multipliers,
+                                const double factor,
+                                Matrix       matrix) const;
+
+      /// Add d(Phi_q v)/dq to @p matrix.
+      void
+      add_velocity_derivative(ConstVector q,
+                              ConstVector v,
+                              Matrix      matrix) const;
+
+      /// Q(q, v). @p approach_speeds: one per clearance joint [m/s].
+      void
+      assemble_forces(ConstVector                q,
+                      ConstVector                v,
+                      const std::vector<double> &approach_speeds,
+                      Vector                     forces) const;
+
+      /// Subtract dQ/dq from @p minus_d_position and dQ/dv from
+      /// @p minus_d_velocity.
+      void
+      subtract_force_derivatives(ConstVector                q,
+                                 ConstVector                v,
+                                 const std::vector<double> &approach_speeds,
+                                 Matrix                     minus_d_position,
+                                 Matrix minus_d_velocity) const;
+
+      /// Penetration [m] in clearance joint @p joint.
+      double
+      compute_penetration(const unsigned int joint, ConstVector q) const;
+
+      /// Contact in clearance joint @p joint.
+      JointContact
+      compute_contact(const unsigned int joint,
+                      ConstVector        q,
+                      ConstVector        v,
+                      const double       approach_speed) const;
+
+      Energy
+      compute_energy(ConstVector q, ConstVector v) const;
+
+    private:
+      const Mechanism              &system;
+      std::vector<ClearanceProfile> clearances;
+    };
+
+    /// The clearances of all clearance joints as manufactured.
+    std::vector<ClearanceProfile>
+    nominal_clearances(const Mechanism &mechanism);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

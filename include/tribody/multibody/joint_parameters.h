@@ -1,0 +1,90 @@
+#ifndef tribody_multibody_joint_parameters_h
+#define tribody_multibody_joint_parameters_h
+
+#include <tribody/base/material.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /**
+     * A joint between two bodies: revolute (ideal, or with clearance) or
+     * translational. Entries of the other type are ignored.
+     */
+    struct JointParameters
+    {
+      std::string name;
+      /// "revolute" or "translational".
+      std::string type = "revolute";
+
+      /// Centre of the pin, "<body>.<marker>".
+      std::string pin_marker = "ground.O";
+      /// Centre of the bushing, "<body>.<marker>".
+      std::string bushing_marker = "ground.O";
+      /// "ideal" or "clearance".
+      std::string model = "ideal";
+      /// Pin radius R_i [m].
+      double pin_radius = 9.525e-3;
+      /// Bushing radius R_j [m].
+      double bushing_radius = 9.535e-3;
+      /// Name of the pin's material.
+      std::string pin_material_name = "steel";
+      /// Name of the bushing's material.
+      std::string bushing_material_name = "steel";
+      /// The materials themselves. Whoever reads the names fills them in.
+      Material pin_material;
+      Material bushing_material;
+      /// One of contact_force_law_names().
+      std::string contact_force_law = "Lankarani-Nikravesh";
+      /// Restitution coefficient e_r [-], in (0, 1].
+      double restitution_coefficient = 0.8;
+      /// Floor of the approach speed at which a contact began [m/s].
+      double minimum_approach_speed = 10e-3;
+      /// One of friction_law_names().
+      std::string friction_law = "Coulomb regularised";
+      /// Friction coefficient [-].
+      double friction_coefficient = 0.15;
+      /// Speed v_0 in tanh(v_t/v_0) [m/s].
+      double friction_regularisation_speed = 1e-3;
+      /// Damping of the pin's sideways swing in the bore [N s/m].
+      double tangential_damping = 0.;
+
+      /// Markers of a translational joint, "<body>.<marker>".
+      std::string first_marker  = "ground.O";
+      std::string second_marker = "ground.O";
+      /// Direction of the axis in the first body's frame [rad].
+      double axis_angle = 0.;
+      /// Angle of the second body relative to the first [rad].
+      double relative_angle = 0.;
+
+      /// Declares in the current subsection, "Joint <name>".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @throws ExcParameter with paths that start with "Joint <name>".
+      void
+      check() const;
+
+      bool
+      is_revolute() const
+      {
+        return type == "revolute";
+      }
+
+      bool
+      has_clearance() const
+      {
+        return is_revolute() && model == "clearance";
+      }
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,182 @@
+#ifndef tribody_multibody_mechanism_h
+#define tribody_multibody_mechanism_h
+
+#include <tribody/multibody/clearance_joint.h>
+#include <tribody/multibody/constraint.h>
+#include <tribody/multibody/mechanism_parameters.h>
+#include <tribody/multibody/spring.h>
+
+#include <memory>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// One equation block of the mechanism with its place among all.
+    struct NumberedConstraint
+    {
+      std::shared_ptr<const Constraint> constraint;
+      /// Its first row in Phi and its first multiplier.
+      unsigned int first_row;
+    };
+
+    /// A joint by its kind: where to look for it.
+    struct JointEntry
+    {
+      std::string name;
+      /// Index into clearance_joints() if true, into constraints() if false.
+      bool         has_clearance;
+      unsigned int index;
+      /// Whether pin and bushing turn against each other.
+      bool is_revolute;
+      /// R_j [m], which turns an angle into a sliding distance.
+      double bushing_radius;
+      /// First body (pin) and second body (bushing).
+      BodyPair bodies;
+    };
+
+    /**
+     * A planar mechanism: what it consists of and how its coordinates and
+     * equations are numbered. Never changes after construction; what moves
+     * is in vectors q and v of n_coordinates() entries, (x, y, phi) of each
+     * body's centre of mass.
+     */
+    class Mechanism
+    {
+    public:
+      /// @throws ExcParameter for a value or a reference that cannot be used.
+      explicit Mechanism(const MechanismParameters &parameters);
+
+      /// Entries of q and of v: three per body.
+      unsigned int
+      n_coordinates() const
+      {
+        return 3 * the_parameters.bodies.size();
+      }
+
+      /// Equations in Phi.
+      unsigned int
+      n_constraints() const
+      {
+        return n_equations;
+      }
+
+      /**
+       * Coordinates minus constraints. Exact only without redundant
+       * constraints, of which check_redundancy() makes sure.
+       */
+      int
+      n_degrees_of_freedom() const
+      {
+        return static_cast<int>(n_coordinates()) -
+               static_cast<int>(n_equations);
+      }
+
+      /// What the mechanism was made from.
+      const MechanismParameters &
+      parameters() const
+      {
+        return the_parameters;
+      }
+
+      const std::vector<NumberedConstraint> &
+      constraints() const
+      {
+        return the_constraints;
+      }
+
+      const std::vector<ClearanceJoint> &
+      clearance_joints() const
+      {
+        return the_clearance_joints;
+      }
+
+      /// All joints, in the order of the parameters.
+      const std::vector<JointEntry> &
+      joints() const
+      {
+        return the_joints;
+      }
+
+      const std::vector<Spring> &
+      springs() const
+      {
+        return the_springs;
+      }
+
+      /// Diagonal of M: mass, mass, moment of inertia of each body.
+      const Eigen::VectorXd &
+      masses() const
+      {
+        return the_masses;
+      }
+
+      /// Forces of gravity [N], one entry per coordinate.
+      const Eigen::VectorXd &
+      weights() const
+      {
+        return the_weights;
+      }
+
+      /// The guess of the configuration at time 0.
+      const Eigen::VectorXd &
+      initial_coordinates() const
+      {
+        return the_initial_coordinates;
+      }
+
+      /// A length [m] of the size of the mechanism's bodies.
+      double
+      size() const
+      {
+        return the_size;
+      }
+
+      /// Time of one revolution of the first driver [s].
+      /// @throws ExcParameter without a driver that turns.
+      double
+      period() const;
+
+    private:
+      int
+      find_body(const std::string &path, const std::string &name) const;
+
+      Marker
+      find_marker(const std::string &path, const std::string &name) const;
+
+      void
+      add_bodies();
+
+      void
+      add_joint(const JointParameters &joint);
+
+      void
+      add_clearance_joint(const JointParameters &joint,
+                          const Marker          &pin,
+                          const Marker          &bushing);
+
+      void
+      add_constraint(const std::shared_ptr<const Constraint> &constraint);
+
+      void
+      add_spring(const SpringParameters &spring);
+
+      void
+      add_driver(const DriverParameters &driver);
+
+      const MechanismParameters       the_parameters;
+      std::vector<NumberedConstraint> the_constraints;
+      std::vector<ClearanceJoint>     the_clearance_joints;
+      std::vector<JointEntry>         the_joints;
+      std::vector<Spring>             the_springs;
+      Eigen::VectorXd                 the_masses;
+      Eigen::VectorXd                 the_weights;
+      Eigen::VectorXd                 the_initial_coordinates;
+      unsigned int                    n_equations = 0;
+      double                          the_size    = 0.;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

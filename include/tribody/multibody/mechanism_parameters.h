@@ -1,0 +1,38 @@
+#ifndef tribody_multibody_mechanism_parameters_h
+#define tribody_multibody_mechanism_parameters_h
+
+#include <tribody/multibody/body_parameters.h>
+#include <tribody/multibody/driver_parameters.h>
+#include <tribody/multibody/joint_parameters.h>
+#include <tribody/multibody/spring_parameters.h>
+
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// Everything that defines a mechanism, by names.
+    struct MechanismParameters
+    {
+      GroundParameters              ground;
+      std::vector<BodyParameters>   bodies;
+      std::vector<JointParameters>  joints;
+      std::vector<SpringParameters> springs;
+      std::vector<DriverParameters> drivers;
+      /// Acceleration of gravity [m/s^2].
+      dealii::Point<2> gravity;
+
+      /// Check every entry by itself and that names are unique. References
+      /// between them are checked by Mechanism. @throws ExcParameter.
+      void
+      check() const;
+    };
+
+    /// The same mechanism with every clearance joint made ideal.
+    MechanismParameters
+    with_ideal_joints(const MechanismParameters &parameters);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,135 @@
+#ifndef tribody_multibody_motion_integrator_h
+#define tribody_multibody_motion_integrator_h
+
+#include <tribody/multibody/equations_of_motion.h>
+#include <tribody/multibody/ida_integrator.h>
+#include <tribody/multibody/mechanism_state.h>
+
+#include <memory>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// Errors of one step that are tolerated, per coordinate.
+    struct MotionTolerances
+    {
+      /// Of q [m, rad].
+      Eigen::VectorXd positions;
+      /// Of v [m/s, rad/s].
+      Eigen::VectorXd velocities;
+      unsigned int    maximum_order = 5;
+      /// Longest step [s]; 0: no limit.
+      double maximum_step = 0.;
+      /// First step after a start or an impact [s]; 0: estimated.
+      double initial_step = 0.;
+    };
+
+    /// A contact began or ended.
+    struct ContactEvent
+    {
+      /// Time [s].
+      double time;
+      /// Index into Mechanism::clearance_joints().
+      unsigned int joint;
+      bool         is_onset;
+      /// Penetration rate at that time [m/s].
+      double penetration_rate;
+    };
+
+    /**
+     * Integrates the motion of a mechanism in the stabilised index-2 form of
+     * @cite gear1985,
+     * @f[ \dot q = v + \Phi_q^T\mu, \quad M\dot v = Q - \Phi_q^T\lambda,
+     *     \quad 0 = \Phi, \quad 0 = \Phi_q v + \Phi_t, @f]
+     * by IDA with the exact Jacobian. It stops where a contact begins, takes
+     * the approach speed there and restarts; the ends of contacts are noted.
+     */
+    class MotionIntegrator
+    {
+    public:
+      /// Keeps a reference to @p equations.
+      MotionIntegrator(const EquationsOfMotion &equations,
+                       const MotionTolerances  &tolerances);
+
+      ~MotionIntegrator();
+
+      /// Start from a state that fulfils the constraints. Contacts that exist
+      /// begin with the floor of the approach speed.
+      void
+      start(const MechanismState &state);
+
+      /**
+       * Go on to time @p t [s], at least as late as before.
+       * @param maximum_steps taken here at most. @throws ExcRun beyond.
+       */
+      const MechanismState &
+      advance_to(const double t, const unsigned long maximum_steps);
+
+      /// Contacts that began or ended since start().
+      const std::vector<ContactEvent> &
+      events() const
+      {
+        return the_events;
+      }
+
+      /// Largest total force of each clearance joint [N] at any internal step
+      /// since start().
+      const std::vector<double> &
+      peak_forces() const
+      {
+        return the_peak_forces;
+      }
+
+      IntegratorStatistics
+      statistics() const;
+
+    private:
+      ImplicitSystem
+      make_system();
+
+      IdaSettings
+      make_settings(const MotionTolerances &tolerances) const;
+
+      void
+      assemble_residual(const ImplicitSystem::ConstVector &y,
+                        const ImplicitSystem::ConstVector &y_t,
+                        const double                       t,
+                        ImplicitSystem::Vector            &residual);
+
+      void
+      assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                        const double                       c,
+                        ImplicitSystem::Matrix            &jacobian);
+
+      // Start IDA at `current`, with accelerations from the exact equations.
+      void
+      restart();
+
+      // After a step: note events; make a contact onset pending.
+      void
+      record_step(const std::vector<int> &roots);
+
+      const EquationsOfMotion &equations;
+      const unsigned int       n;
+      const unsigned int       m;
+
+      std::unique_ptr<IdaIntegrator> ida;
+      MechanismState                 current;
+      bool                           restart_is_pending = false;
+
+      std::vector<ContactEvent> the_events;
+      std::vector<double>       the_peak_forces;
+
+      // Work space.
+      Eigen::MatrixXd phi_q;
+      Eigen::VectorXd phi_t;
+      Eigen::VectorXd phi_tt;
+      Eigen::VectorXd forces;
+      Eigen::VectorXd interpolated;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef tribody_multibody_reference_scales_h
+#define tribody_multibody_reference_scales_h
+
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    class EquationsOfMotion;
+    class Mechanism;
+    struct DynamicsParameters;
+    struct MotionTolerances;
+
+    /// What to expect in a joint with clearance; error weights are made of it.
+    struct ReferenceScale
+    {
+      /// Mean joint force over a cycle with ideal joints [N].
+      double force;
+      /// Penetration under that force [m].
+      double penetration;
+      /// Angular frequency of the contact's vibration about it [rad/s].
+      double frequency;
+    };
+
+    /**
+     * The scales of all clearance joints of @p mechanism. @p closed are the
+     * equations of the same mechanism with ideal joints at those places.
+     *
+     * The force is the mean of the ideal joint's reaction over a cycle; if that
+     * is zero or not defined (degrees of freedom), the weight of the mechanism
+     * under 1 m/s^2. The frequency is that of the contact stiffness
+     * @f$ dF_N/d\delta @f$ and the mass that a force at the joint finds there
+     * in the lightest direction.
+     */
+    std::vector<ReferenceScale>
+    compute_reference_scales(const Mechanism         &mechanism,
+                             const EquationsOfMotion &closed);
+
+    /**
+     * Error weights: @f$ \varepsilon\,\delta @f$ for positions and
+     * @f$ \varepsilon\,\delta\,\omega @f$ for velocities of each body, from the
+     * clearance joints that it belongs to, or the most sensitive one if none.
+     * Relative tolerances would be useless: forces depend on penetrations of
+     * micrometres in coordinates of metres. Without clearance joints, 1e-4 of
+     * the mechanism's size takes the place of the penetration.
+     */
+    MotionTolerances
+    make_tolerances(const Mechanism                   &mechanism,
+                    const std::vector<ReferenceScale> &scales,
+                    const DynamicsParameters          &parameters);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef tribody_output_output_directory_h
+#define tribody_output_output_directory_h
+
+#include <string>
+
+namespace Tribody
+{
+  namespace Output
+  {
+    /**
+     * The directory that one run writes to. Results of different runs never
+     * mix: what an earlier run of Tribody left there is moved aside as a whole
+     * to "<name>.1", "<name>.2", ..., and a directory with anything else in it
+     * is refused.
+     */
+    class OutputDirectory
+    {
+    public:
+      /**
+       * Look, but do not touch: nothing changes on the disk before create().
+       * @throws ExcInput if @p path is not empty and not the output of a run,
+       *   or is a file.
+       */
+      explicit OutputDirectory(const std::string &path);
+
+      /**
+       * Make the directory, moving earlier results aside.
+       * @return a message for the user if something was moved, else "".
+       * @throws ExcRun if the disk refuses.
+       */
+      std::string
+      create() const;
+
+      /// Path of the file @p name here.
+      std::string
+      file(const std::string &name) const;
+
+      /// Path of the file @p name in the directory of @p joint, which is made
+      /// if necessary.
+      std::string
+      joint_file(const std::string &joint, const std::string &name) const;
+
+      const std::string &
+      path() const
+      {
+        return directory;
+      }
+
+    private:
+      std::string directory;
+    };
+
+    /// "@p stem_0042.extension" for @p number 42.
+    std::string
+    numbered_name(const std::string &stem,
+                  const unsigned int number,
+                  const std::string &extension);
+  } // namespace Output
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,91 @@
+#ifndef tribody_output_summary_h
+#define tribody_output_summary_h
+
+#include <string>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Output
+  {
+    /// A published or measured value that a result is shown beside.
+    struct Comparison
+    {
+      /// What it is and where it comes from; empty if there is none.
+      std::string source;
+      /// [m]; zero if not given.
+      double max_wear_depth = 0.;
+      /// [kg]; zero if not given.
+      double worn_mass = 0.;
+    };
+
+    /// What a run says of one bushing; SI units, angles in the bushing's frame.
+    struct BushingSummary
+    {
+      double     max_wear_depth                = 0.;
+      double     max_wear_angle                = 0.; ///< [rad]
+      double     worn_volume                   = 0.;
+      double     worn_mass                     = 0.;
+      double     max_pressure                  = 0.;
+      double     contact_half_angle            = 0.; ///< [rad]
+      double     mesh_oscillation              = 0.; ///< of the wear rate [-]
+      double     volume_balance_relative_error = 0.;
+      double     crescent_max_wear_depth       = 0.;
+      double     crescent_worn_volume          = 0.;
+      double     max_stable_wear_step          = 0.; ///< [cycles]
+      Comparison comparison;
+    };
+
+    /// What a run says of one joint; forces of the last duty cycle.
+    struct JointSummary
+    {
+      std::string    name;
+      bool           has_clearance     = false;
+      bool           has_bushing       = false;
+      double         peak_force        = 0.;
+      double         mean_force        = 0.;
+      double         mean_normal_force = 0.;
+      double         sliding_per_cycle = 0.;
+      double         clearance         = 0.; ///< largest, worn [m]
+      unsigned int   contact_losses    = 0;  ///< in all recorded cycles
+      BushingSummary bushing;
+    };
+
+    /// summary.json.
+    struct RunSummary
+    {
+      std::string case_name;
+      /// completed, stopped or failed.
+      std::string status = "failed";
+      /// Why it did not complete; empty otherwise.
+      std::string message;
+      double      cycles            = 0.;
+      double      wall_time         = 0.;
+      double      cpu_time          = 0.;
+      double      peak_memory_bytes = 0.;
+
+      unsigned int wear_steps        = 0;
+      unsigned int rate_evaluations  = 0;
+      unsigned int dynamics_cycles   = 0;
+      unsigned int contact_solves    = 0;
+      unsigned int compliance_builds = 0;
+
+      std::vector<JointSummary> joints;
+
+      /// Estimated relative error of the largest maximum depth left by the
+      /// wear steps [-].
+      double max_wear_depth_relative_error = 0.;
+      /// Largest violation of the constraints [m].
+      double constraint_drift = 0.;
+      /// How well the last duty cycle repeats [-], and whether all settled.
+      double settling_difference = 0.;
+      bool   all_settled         = true;
+    };
+
+    /// @throws ExcRun if the file cannot be written.
+    void
+    write_summary_json(const std::string &file_name, const RunSummary &summary);
+  } // namespace Output
+} // namespace Tribody
+
+#endif

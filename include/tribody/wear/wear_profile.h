@@ -1,0 +1,73 @@
+#ifndef tribody_wear_wear_profile_h
+#define tribody_wear_wear_profile_h
+
+#include <Eigen/Core>
+
+#include <tribody/surface/bore_surface.h>
+
+namespace Tribody
+{
+  namespace Wear
+  {
+    /**
+     * How deep a bore has worn: at every node the distance h >= 0 by which it
+     * has moved along the as-manufactured normal, which for a round bore is
+     * the radius through it. The whole memory of the wear process: worn
+     * geometry, clearance and volume follow from it.
+     */
+    struct WearProfile
+    {
+      /// As-manufactured node positions [m], one column per node.
+      Eigen::Matrix2Xd positions;
+      /// Unit as-manufactured normals, into the material.
+      Eigen::Matrix2Xd normals;
+      /// Wear depth h [m].
+      Eigen::VectorXd depth;
+      /// Degree of the curve through the nodes.
+      unsigned int degree = 1;
+
+      /// The worn bore.
+      BoreSurface
+      surface() const;
+
+      /**
+       * What the depth grows by when node i loses the cross-section area
+       * @p removed_area [m^2]: @f$ \Delta h_i = A_i / (\mathbf n_i \cdot
+       * \mathbf w_i) @f$, because that product is the derivative of the area
+       * inside the curve with respect to @f$h_i@f$. So what the law removes
+       * and what the geometry loses agree to first order in the step.
+       *
+       * @param surface the worn bore, surface().
+       */
+      Eigen::VectorXd
+      depth_for_removed_area(const BoreSurface     &surface,
+                             const Eigen::VectorXd &removed_area) const;
+
+      double
+      max_depth() const;
+
+      /// Node where the wear is deepest.
+      Eigen::Index
+      deepest_node() const;
+    };
+
+    /// An unworn profile.
+    WearProfile
+    make_wear_profile(const Eigen::Matrix2Xd &positions,
+                      const Eigen::Matrix2Xd &normals,
+                      const unsigned int      degree);
+
+    /**
+     * Amplitude of the mesh-size oscillation in a field on the bore, relative
+     * to the field's largest value: the largest fourth difference
+     * @f$ |v_{i-2} - 4 v_{i-1} + 6 v_i - 4 v_{i+1} + v_{i+2}| / 16 @f$ (a
+     * sawtooth of amplitude a gives a, a smooth field the fourth power of the
+     * node distance) where all five values are positive, so that the edge of
+     * contact does not count. Zero for a field that vanishes.
+     */
+    double
+    mesh_oscillation(const Eigen::VectorXd &values);
+  } // namespace Wear
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,79 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameters.h>
+#include <tribody/multibody/body_parameters.h>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    void
+    GroundParameters::add_parameters(dealii::ParameterHandler &prm)
+    {
+      Parameters::add_named_points(
+        prm,
+        "Markers",
+        markers,
+        "m",
+        "Named points of the frame that does not move, in global axes: 'O: 0 "
+        "mm, 0 mm; W: 1 m, 0 m'. Joints and springs refer to them as "
+        "'ground.O'.");
+    }
+
+
+
+    void
+    BodyParameters::add_parameters(dealii::ParameterHandler &prm)
+    {
+      Parameters::add_quantity(prm, "Mass", mass, "kg", "Mass of the body.");
+      Parameters::add_quantity(prm,
+                               "Moment of inertia",
+                               moment_of_inertia,
+                               "kg m^2",
+                               "Moment of inertia about the centre of mass.");
+      Parameters::add_named_points(
+        prm,
+        "Markers",
+        markers,
+        "m",
+        "Named points of the body, in its own frame, whose origin is the "
+        "centre of mass: 'O: -38.1 mm, 0 mm; A: 38.1 mm, 0 mm'. Joints and "
+        "springs refer to them as '<body>.A'.");
+      Parameters::add_point(
+        prm,
+        "Initial position",
+        initial_position,
+        "m",
+        "Where the centre of mass is at the start, roughly: the mechanism is "
+        "assembled from there by Newton's method. It decides which of "
+        "several ways to assemble it is taken.");
+      Parameters::add_quantity(prm,
+                               "Initial angle",
+                               initial_angle,
+                               "rad",
+                               "Angle of the body's x axis at the start, "
+                               "counter-clockwise from the global one, "
+                               "roughly.",
+                               "deg");
+    }
+
+
+
+    void
+    BodyParameters::check() const
+    {
+      const std::string path = "Body " + name;
+      AssertThrow(name != "ground",
+                  ExcParameter("Bodies",
+                               "'ground' is the name of the frame that does "
+                               "not move; choose another one"));
+      AssertThrow(mass > 0,
+                  ExcParameter(path + "/Mass",
+                               "is " + std::to_string(mass) +
+                                 " kg but must be positive"));
+      AssertThrow(moment_of_inertia > 0,
+                  ExcParameter(path + "/Moment of inertia",
+                               "is " + std::to_string(moment_of_inertia) +
+                                 " kg m^2 but must be positive"));
+    }
+  } // namespace Multibody
+} // namespace Tribody

@@ -1,0 +1,189 @@
+#include <tribody/multibody/clearance_joint.h>
+#include <tribody/surface/clearance_profile.h>
+
+#include <limits>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    namespace
+    {
+      // Derivatives with respect to (q_1, q_2, v_1, v_2).
+      using Row  = Eigen::Matrix<double, 1, 12>;
+      using Rows = Eigen::Matrix<double, 2, 12>;
+
+      constexpr int phi_1 = 2, phi_2 = 5, omega_1 = 8, omega_2 = 11;
+
+      // Below this eccentricity the direction of e has no meaning.
+      constexpr double smallest_eccentricity =
+        std::numeric_limits<double>::min();
+
+      Row
+      unit(const int k)
+      {
+        Row result = Row::Zero();
+        result(k)  = 1.;
+        return result;
+      }
+    } // namespace
+
+
+
+    JointContact
+    ClearanceJoint::compute_contact(const PairVector       &q,
+                                    const PairVector       &v,
+                                    const ClearanceProfile &clearance,
+                                    const double approach_speed) const
+    {
+      const Eigen::Vector2d a1 = turned(s_1, q(2)), a2 = turned(s_2, q(5));
+      JointContact          contact;
+      contact.eccentricity = q.head<2>() + a1 - q.segment<2>(3) - a2;
+      const double r       = contact.eccentricity.norm();
+      if (r > smallest_eccentricity)
+        contact.direction = contact.eccentricity / r;
+      const Eigen::Vector2d n = contact.direction, t = perpendicular(n);
+      const double          angle = std::atan2(n.y(), n.x());
+      contact.angle_in_pin        = angle - q(2);
+      contact.angle_in_bushing    = angle - q(5);
+
+      const Eigen::Vector2d e_t = v.head<2>() + v(2) * perpendicular(a1) -
+                                  v.segment<2>(3) - v(5) * perpendicular(a2);
+      contact.swing_speed = t.dot(e_t) - v(5) * r;
+      contact.sliding_speed =
+        t.dot(e_t) + pin_radius * v(2) - bushing_radius * v(5);
+
+      const ClearanceProfile::Values c =
+        clearance.evaluate(contact.angle_in_bushing);
+      contact.penetration      = r - c.clearance;
+      contact.penetration_rate = n.dot(e_t);
+      if (r > smallest_eccentricity)
+        contact.penetration_rate -=
+          c.first_derivative * contact.swing_speed / r;
+
+      if (contact.penetration > 0)
+        {
+          contact.normal_force = compute_normal_force(contact_law,
+                                                      {contact.penetration,
+                                                       contact.penetration_rate,
+                                                       approach_speed})
+                                   .value;
+          contact.tangential_force =
+            compute_friction_ratio(friction_law, contact.sliding_speed).value *
+              contact.normal_force +
+            tangential_damping * contact.swing_speed;
+        }
+      return contact;
+    }
+
+
+
+    double
+    ClearanceJoint::compute_penetration(const PairVector       &q,
+                                        const ClearanceProfile &clearance) const
+    {
+      const Eigen::Vector2d e =
+        marker_position(q.head<3>(), s_1) - marker_position(q.tail<3>(), s_2);
+      return e.norm() - clearance.clearance(std::atan2(e.y(), e.x()) - q(5));
+    }
+
+
+
+    PairVector
+    ClearanceJoint::compute_force(const PairVector   &q,
+                                  const JointContact &contact) const
+    {
+      const Eigen::Vector2d a1 = turned(s_1, q(2)), a2 = turned(s_2, q(5));
+      const Eigen::Vector2d b = contact.force();
+      PairVector            result;
+      // Of the moment of b at the contact point p + R n, the part of R n is R
+      // times the tangential force.
+      result << -b,
+        -perpendicular(a1).dot(b) - pin_radius * contact.tangential_force, b,
+        perpendicular(a2).dot(b) + bushing_radius * contact.tangential_force;
+      return result;
+    }
+
+
+
+    PairForce
+    ClearanceJoint::compute_force_with_derivatives(
+      const PairVector       &q,
+      const PairVector       &v,
+      const ClearanceProfile &clearance,
+      const double            approach_speed) const
+    {
+      const JointContact contact =
+        compute_contact(q, v, clearance, approach_speed);
+      if (contact.penetration <= 0)
+        return {PairVector::Zero(), PairMatrix::Zero(), PairMatrix::Zero()};
+
+      // The chain rule, quantity by quantity as in compute_contact(); D_x is
+      // the derivative of x, psi the angle of n.
+      const Eigen::Vector2d a1 = turned(s_1, q(2)), a2 = turned(s_2, q(5));
+      const Eigen::Vector2d n = contact.direction, t = perpendicular(n);
+      const double          r = contact.eccentricity.norm();
+
+      Rows D_e = Rows::Zero();
+      D_e.leftCols<2>().setIdentity();
+      D_e.col(phi_1)       = perpendicular(a1);
+      D_e.middleCols<2>(3) = -Eigen::Matrix2d::Identity();
+      D_e.col(phi_2)       = -perpendicular(a2);
+      Rows D_e_t           = Rows::Zero();
+      D_e_t.rightCols<6>() = D_e.leftCols<6>();
+      D_e_t.col(phi_1)     = -v(2) * a1;
+      D_e_t.col(phi_2)     = v(5) * a2;
+
+      const Row D_r     = n.transpose() * D_e;
+      const Row D_psi   = t.transpose() * D_e / r;
+      const Row D_theta = D_psi - unit(phi_2);
+
+      const double v_2            = v(5);
+      const double e_t_tangential = contact.swing_speed + v_2 * r;
+      const ClearanceProfile::Values c =
+        clearance.evaluate(contact.angle_in_bushing);
+      const double theta_t = contact.swing_speed / r;
+      const double e_t_normal =
+        contact.penetration_rate + c.first_derivative * theta_t;
+      const Row D_e_t_normal = n.transpose() * D_e_t + e_t_tangential * D_psi;
+      const Row D_e_t_tangential = t.transpose() * D_e_t - e_t_normal * D_psi;
+      const Row D_swing   = D_e_t_tangential - v_2 * D_r - r * unit(omega_2);
+      const Row D_sliding = D_e_t_tangential + pin_radius * unit(omega_1) -
+                            bushing_radius * unit(omega_2);
+      const Row D_theta_t = (D_swing - theta_t * D_r) / r;
+
+      const Row D_delta   = D_r - c.first_derivative * D_theta;
+      const Row D_delta_t = D_e_t_normal -
+                            c.second_derivative * theta_t * D_theta -
+                            c.first_derivative * D_theta_t;
+
+      const NormalForce   f = compute_normal_force(contact_law,
+                                                 {contact.penetration,
+                                                    contact.penetration_rate,
+                                                    approach_speed});
+      const FrictionRatio m =
+        compute_friction_ratio(friction_law, contact.sliding_speed);
+      const Row D_normal =
+        f.d_penetration * D_delta + f.d_penetration_rate * D_delta_t;
+      const Row D_tangential = m.value * D_normal +
+                               f.value * m.d_sliding_speed * D_sliding +
+                               tangential_damping * D_swing;
+
+      const Eigen::Vector2d b = contact.force();
+      const Rows            D_b =
+        n * D_normal + t * D_tangential + perpendicular(b) * D_psi;
+
+      Eigen::Matrix<double, 6, 12> D_force;
+      D_force.topRows<2>() = -D_b;
+      D_force.row(2)       = -perpendicular(a1).transpose() * D_b +
+                       a1.dot(b) * unit(phi_1) - pin_radius * D_tangential;
+      D_force.middleRows<2>(3) = D_b;
+      D_force.row(5)           = perpendicular(a2).transpose() * D_b -
+                       a2.dot(b) * unit(phi_2) + bushing_radius * D_tangential;
+
+      return {compute_force(q, contact),
+              D_force.leftCols<6>(),
+              D_force.rightCols<6>()};
+    }
+  } // namespace Multibody
+} // namespace Tribody

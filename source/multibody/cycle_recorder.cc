@@ -1,0 +1,297 @@
+#include <tribody/multibody/cycle_recorder.h>
+#include <tribody/multibody/equations_of_motion.h>
+#include <tribody/multibody/kinematics.h>
+#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/motion_integrator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    namespace
+    {
+      // In [0, 2 pi).
+      double
+      wrapped(const double angle)
+      {
+        return angle - 2 * M_PI * std::floor(angle / (2 * M_PI));
+      }
+
+
+
+      // Angle of a body over the records; zero for the ground.
+      double
+      angle_of(const int body, const Eigen::MatrixXd &q, const unsigned int k)
+      {
+        return body == ground_body ? 0. : q(3 * body + 2, k);
+      }
+    } // namespace
+
+
+
+    CycleRecorder::CycleRecorder(const EquationsOfMotion &equations,
+                                 const unsigned int       n_samples,
+                                 const double             period)
+      : equations(equations)
+      , n_samples(n_samples)
+      , period(period)
+      , times(2 * n_samples + 1)
+      , q(equations.mechanism().n_coordinates(), 2 * n_samples + 1)
+      , v(q.rows(), q.cols())
+      , forces(2 * equations.mechanism().joints().size(), 2 * n_samples + 1)
+      , contacts(equations.mechanism().clearance_joints().size(),
+                 std::vector<JointContact>(2 * n_samples + 1))
+    {}
+
+
+
+    void
+    CycleRecorder::record(const unsigned int k, const MechanismState &state)
+    {
+      if (k == 0)
+        drift = 0.;
+      times(k) = state.time;
+      q.col(k) = state.q;
+      v.col(k) = state.v;
+      for (unsigned int j = 0; j < contacts.size(); ++j)
+        contacts[j][k] = equations.compute_contact(j,
+                                                   state.q,
+                                                   state.v,
+                                                   state.approach_speeds[j]);
+      record_forces(k, state);
+
+      Eigen::VectorXd phi(equations.mechanism().n_constraints());
+      equations.assemble_constraints(state.time, state.q, phi);
+      if (phi.size() > 0)
+        drift = std::max(drift, phi.lpNorm<Eigen::Infinity>());
+    }
+
+
+
+    void
+    CycleRecorder::record_forces(const unsigned int    k,
+                                 const MechanismState &state)
+    {
+      const Mechanism &mechanism = equations.mechanism();
+      Eigen::VectorXd  applied(mechanism.n_coordinates());
+      equations.assemble_forces(state.q,
+                                state.v,
+                                state.approach_speeds,
+                                applied);
+      // Not the multipliers of the integrator: those are outside its error
+      // test. These are exact for the given q and v.
+      const Accelerations result =
+        compute_accelerations(equations,
+                              state.time,
+                              ConstraintOffsets(mechanism.n_constraints()),
+                              state.q,
+                              state.v,
+                              applied);
+      for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
+        {
+          const JointEntry &joint = mechanism.joints()[j];
+          if (joint.has_clearance)
+            forces.col(k).segment<2>(2 * j) = contacts[joint.index][k].force();
+          else
+            {
+              const auto &[constraint, row] =
+                mechanism.constraints()[joint.index];
+              forces.col(k).segment<2>(2 * j) =
+                constraint->reaction_force(constraint->bodies.gather(state.q),
+                                           result.multipliers.segment<2>(row));
+            }
+        }
+    }
+
+
+
+    double
+    CycleRecorder::difference(const CycleRecorder &other) const
+    {
+      double largest = 0.;
+      for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
+        {
+          const double scale =
+            forces.middleRows(2 * j, 2).colwise().norm().maxCoeff();
+          if (scale > 0)
+            largest = std::max(largest,
+                               (forces - other.forces)
+                                   .middleRows(2 * j, 2)
+                                   .colwise()
+                                   .norm()
+                                   .maxCoeff() /
+                                 scale);
+        }
+      return largest;
+    }
+
+
+
+    void
+    CycleRecorder::fill_contact(const unsigned int joint,
+                                JointDutyCycle    &result) const
+    {
+      const unsigned int index = equations.mechanism().joints()[joint].index;
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          const JointContact &contact     = contacts[index][2 * s + 1];
+          result.normal_force(s)          = contact.normal_force;
+          result.friction_force(s)        = contact.tangential_force;
+          result.contact_angle_bushing(s) = wrapped(contact.angle_in_bushing);
+          result.contact_angle_pin(s)     = wrapped(contact.angle_in_pin);
+          result.eccentricity(s)          = contact.eccentricity.norm();
+          result.penetration(s)           = contact.penetration;
+          result.state[s] = contact.penetration > 0 ? ContactState::following
+                                                    : ContactState::free;
+        }
+    }
+
+
+
+    void
+    CycleRecorder::fill_ideal(const unsigned int joint,
+                              JointDutyCycle    &result) const
+    {
+      const BodyPair &bodies = equations.mechanism().joints()[joint].bodies;
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          const unsigned int k = 2 * s + 1;
+          const double angle = std::atan2(result.force_y(s), result.force_x(s));
+          result.normal_force(s) =
+            std::hypot(result.force_x(s), result.force_y(s));
+          result.contact_angle_bushing(s) =
+            wrapped(angle - angle_of(bodies.second, q, k));
+          result.contact_angle_pin(s) =
+            wrapped(angle - angle_of(bodies.first, q, k));
+        }
+    }
+
+
+
+    void
+    CycleRecorder::fill_sliding(const unsigned int joint,
+                                JointDutyCycle    &result) const
+    {
+      const JointEntry &entry = equations.mechanism().joints()[joint];
+      const auto        alpha = [&](const unsigned int k) {
+        return angle_of(entry.bodies.first, q, k) -
+               angle_of(entry.bodies.second, q, k);
+      };
+      // In two halves: where the sliding reverses at a sample, both count.
+      for (unsigned int s = 0; s < n_samples; ++s)
+        result.sliding_increment(s) =
+          entry.bushing_radius *
+          (std::abs(alpha(2 * s + 1) - alpha(2 * s)) +
+           std::abs(alpha(2 * s + 2) - alpha(2 * s + 1)));
+    }
+
+
+
+    void
+    CycleRecorder::fill_events(const unsigned int               joint,
+                               const std::vector<ContactEvent> &events,
+                               JointDutyCycle                  &result) const
+    {
+      const unsigned int index    = equations.mechanism().joints()[joint].index;
+      const double       interval = period / n_samples;
+      double             onset    = -std::numeric_limits<double>::infinity();
+      for (const ContactEvent &event : events)
+        {
+          if (event.joint != index)
+            continue;
+          const bool in_cycle =
+            event.time >= times(0) && event.time < times(2 * n_samples);
+          if (event.is_onset)
+            {
+              onset = event.time;
+              result.n_onsets += in_cycle;
+              continue;
+            }
+          result.n_losses += in_cycle;
+          if (event.time - onset >= interval)
+            continue;
+          // At most one sample lies in such a short contact.
+          const double s = std::ceil((onset - times(1)) / interval);
+          if (s >= 0 && s < n_samples && times(1) + s * interval <= event.time)
+            result.state[static_cast<unsigned int>(s)] = ContactState::impact;
+        }
+    }
+
+
+
+    double
+    CycleRecorder::compute_ringing(const unsigned int joint) const
+    {
+      const auto   f       = forces.middleRows(2 * joint, 2);
+      const double peak    = f.colwise().norm().maxCoeff();
+      double       ringing = 0.;
+      for (unsigned int k = 2; k + 2 < f.cols(); ++k)
+        ringing = std::max(ringing,
+                           (f.col(k - 2) - 4 * f.col(k - 1) + 6 * f.col(k) -
+                            4 * f.col(k + 1) + f.col(k + 2))
+                               .norm() /
+                             16);
+      return peak > 0 ? ringing / peak : 0.;
+    }
+
+
+
+    DutyCycle
+    CycleRecorder::make_duty_cycle(
+      const std::vector<ContactEvent> &events) const
+    {
+      const auto at_samples = [this](const Eigen::MatrixXd &records) {
+        Eigen::MatrixXd samples(records.rows(), n_samples);
+        for (unsigned int s = 0; s < n_samples; ++s)
+          samples.col(s) = records.col(2 * s + 1);
+        return samples;
+      };
+      DutyCycle cycle;
+      cycle.period = period;
+      cycle.time   = at_samples(times.transpose()).transpose();
+      cycle.phase =
+        Eigen::VectorXd::LinSpaced(n_samples, 0., 360. - 360. / n_samples);
+      cycle.coordinates      = at_samples(q);
+      cycle.velocities       = at_samples(v);
+      cycle.constraint_drift = drift;
+
+      const Eigen::MatrixXd force_samples = at_samples(forces);
+      for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
+        {
+          const JointEntry     &entry = equations.mechanism().joints()[j];
+          const Eigen::VectorXd zero  = Eigen::VectorXd::Zero(n_samples);
+          JointDutyCycle        joint;
+          joint.name             = entry.name;
+          joint.is_revolute      = entry.is_revolute;
+          joint.has_clearance    = entry.has_clearance;
+          joint.force_x          = force_samples.row(2 * j);
+          joint.force_y          = force_samples.row(2 * j + 1);
+          joint.residual_ringing = compute_ringing(j);
+          for (Eigen::VectorXd *values : {&joint.normal_force,
+                                          &joint.friction_force,
+                                          &joint.contact_angle_bushing,
+                                          &joint.contact_angle_pin,
+                                          &joint.sliding_increment,
+                                          &joint.eccentricity,
+                                          &joint.penetration})
+            *values = zero;
+          joint.state.assign(n_samples, ContactState::following);
+          if (entry.is_revolute)
+            fill_sliding(j, joint);
+          if (entry.has_clearance)
+            {
+              fill_contact(j, joint);
+              fill_events(j, events, joint);
+            }
+          else if (entry.is_revolute)
+            fill_ideal(j, joint);
+          cycle.joints.push_back(joint);
+        }
+      return cycle;
+    }
+  } // namespace Multibody
+} // namespace Tribody

@@ -1,0 +1,178 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/multibody/cycle_recorder.h>
+#include <tribody/multibody/cycle_simulation.h>
+#include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/kinematics.h>
+#include <tribody/multibody/motion_integrator.h>
+#include <tribody/multibody/slow_motion_start.h>
+
+#include <utility>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    CycleSimulation::CycleSimulation(const Mechanism          &mechanism,
+                                     const DynamicsParameters &parameters)
+      : mechanism(mechanism)
+      , parameters(parameters)
+      , closed_mechanism(with_ideal_joints(mechanism.parameters()))
+      , closed_equations(closed_mechanism, {})
+      , period(mechanism.period())
+    {
+      parameters.check();
+      const Eigen::VectorXd q = assemble_configuration(closed_equations, 0.);
+      check_redundancy(EquationsOfMotion(mechanism,
+                                         nominal_clearances(mechanism)),
+                       q);
+      if (!mechanism.clearance_joints().empty() &&
+          closed_mechanism.n_degrees_of_freedom() == 0)
+        check_redundancy(closed_equations, q);
+      scales = compute_reference_scales(mechanism, closed_equations);
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::run(
+      const std::map<std::string, ClearanceProfile> &clearances) const
+    {
+      const EquationsOfMotion equations(mechanism,
+                                        collect_clearances(clearances));
+      return mechanism.n_degrees_of_freedom() == 0 ? run_kinematics(equations)
+                                                   : run_dynamics(equations);
+    }
+
+
+
+    std::vector<ClearanceProfile>
+    CycleSimulation::collect_clearances(
+      const std::map<std::string, ClearanceProfile> &by_name) const
+    {
+      std::vector<ClearanceProfile> clearances = nominal_clearances(mechanism);
+      unsigned int                  n_used     = 0;
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const auto found = by_name.find(mechanism.clearance_joints()[j].name);
+          if (found != by_name.end())
+            {
+              clearances[j] = found->second;
+              ++n_used;
+            }
+        }
+      Assert(n_used == by_name.size(),
+             dealii::ExcMessage("A clearance was given for a joint that does "
+                                "not exist or has none."));
+      (void)n_used;
+      return clearances;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::run_kinematics(const EquationsOfMotion &equations) const
+    {
+      const unsigned int      n = parameters.samples_per_cycle;
+      CycleRecorder           recorder(equations, n, period);
+      const ConstraintOffsets none(mechanism.n_constraints());
+      MechanismState          state;
+      state.q = assemble_configuration(equations, 0.);
+      for (unsigned int k = 0; k <= 2 * n; ++k)
+        {
+          state.time = (k - 1.) * period / (2 * n);
+          const Motion motion =
+            solve_motion(equations,
+                         state.time,
+                         none,
+                         Eigen::VectorXd::Zero(mechanism.n_coordinates()),
+                         state.q);
+          state.q = motion.q;
+          state.v = motion.v;
+          recorder.record(k, state);
+        }
+      DutyCycle cycle          = recorder.make_duty_cycle({});
+      cycle.settling.n_cycles  = 1;
+      cycle.settling.converged = true;
+      return cycle;
+    }
+
+
+
+    StartingState
+    CycleSimulation::compute_start(const EquationsOfMotion &equations) const
+    {
+      if (parameters.start == "slow motion" &&
+          closed_mechanism.n_degrees_of_freedom() == 0)
+        return compute_slow_motion_start(equations,
+                                         closed_equations,
+                                         0.,
+                                         period / 360);
+      StartingState start = compute_centred_start(closed_equations, 0.);
+      if (parameters.start == "slow motion" &&
+          !mechanism.clearance_joints().empty())
+        start.report.message =
+          "with free degrees of freedom there is no start in slow motion; the "
+          "pins began in the middle of their bushings";
+      return start;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::run_dynamics(const EquationsOfMotion &equations) const
+    {
+      const unsigned int n    = parameters.samples_per_cycle;
+      const double       half = period / (2 * n);
+      MotionTolerances   tolerances =
+        make_tolerances(mechanism, scales, parameters);
+      tolerances.maximum_step = 2 * half;
+      MotionIntegrator integrator(equations, tolerances);
+
+      const StartingState start = compute_start(equations);
+      integrator.start(start.state);
+
+      // The first cycle lacks the half interval before time 0. It is not
+      // recorded but compared with.
+      CycleRecorder  recorder_1(equations, n, period), recorder_2(recorder_1);
+      CycleRecorder *before = &recorder_1, *now = &recorder_2;
+      before->record(0, integrator.advance_to(0., 0));
+      for (unsigned int k = 1; k <= 2 * n; ++k)
+        before->record(k,
+                       integrator.advance_to(
+                         (k - 1) * half, parameters.maximum_steps_per_cycle));
+
+      SettlingReport settling;
+      settling.message           = start.report.message;
+      unsigned long n_steps_then = 0;
+      for (settling.n_cycles = 2; true; ++settling.n_cycles)
+        {
+          n_steps_then        = integrator.statistics().n_steps;
+          const double begins = (settling.n_cycles - 1) * period - half;
+          for (unsigned int k = 0; k <= 2 * n; ++k)
+            now->record(
+              k,
+              integrator.advance_to(begins + k * half,
+                                    parameters.maximum_steps_per_cycle));
+          settling.repeat_difference = now->difference(*before);
+          settling.converged =
+            settling.repeat_difference < parameters.settling_tolerance;
+          if (settling.converged ||
+              settling.n_cycles > parameters.maximum_settling_cycles)
+            break;
+          std::swap(before, now);
+        }
+
+      DutyCycle cycle        = now->make_duty_cycle(integrator.events());
+      cycle.settling         = settling;
+      cycle.statistics       = integrator.statistics();
+      cycle.n_steps_in_cycle = cycle.statistics.n_steps - n_steps_then;
+      for (unsigned int j = 0; j < cycle.joints.size(); ++j)
+        if (cycle.joints[j].has_clearance)
+          cycle.joints[j].peak_force_since_start =
+            integrator.peak_forces()[mechanism.joints()[j].index];
+        else
+          cycle.joints[j].peak_force_since_start = cycle.joints[j].peak_force();
+      return cycle;
+    }
+  } // namespace Multibody
+} // namespace Tribody

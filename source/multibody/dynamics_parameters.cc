@@ -1,0 +1,87 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameters.h>
+#include <tribody/multibody/dynamics_parameters.h>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    void
+    DynamicsParameters::add_parameters(dealii::ParameterHandler &prm)
+    {
+      Parameters::add_quantity(
+        prm,
+        "Accuracy",
+        accuracy,
+        "",
+        "Local error allowed in one integration step, relative to the "
+        "expected penetration of a joint with clearance (1e-4 of the "
+        "mechanism's size if there is none). 1e-3 gives joint forces to "
+        "about 0.1 %.");
+      Parameters::add_integer(
+        prm,
+        "Maximum order",
+        maximum_order,
+        "Highest order of the BDF method. 0 takes 2 for mechanisms with "
+        "clearance joints and 5 for others: orders above 2 are unstable for "
+        "the lightly damped vibration of a stiff joint. Where impacts "
+        "dominate, 5 is more efficient.",
+        0,
+        5);
+      Parameters::add_integer(prm,
+                              "Samples per cycle",
+                              samples_per_cycle,
+                              "Number of equal time steps at which a duty "
+                              "cycle is recorded.",
+                              8,
+                              100000);
+      Parameters::add_quantity(
+        prm,
+        "Settling tolerance",
+        settling_tolerance,
+        "",
+        "A motion counts as settled when the joint forces differ from those "
+        "of the cycle before by less than this part of the largest force.");
+      Parameters::add_integer(prm,
+                              "Maximum settling cycles",
+                              maximum_settling_cycles,
+                              "Cycles that are run before the last one is "
+                              "recorded although the motion does not repeat; "
+                              "the report says so.",
+                              1,
+                              100000);
+      Parameters::add_integer(prm,
+                              "Maximum steps per cycle",
+                              maximum_steps_per_cycle,
+                              "Integration steps in one cycle after which "
+                              "the run stops with an error.",
+                              100,
+                              2000000000);
+      Parameters::add_choice(
+        prm,
+        "Start",
+        start,
+        {"slow motion", "centred"},
+        "How a mechanism with clearance joints starts. 'slow motion': with "
+        "every pin touching its bushing, such that contact and friction "
+        "forces balance the motion without vibration. 'centred': with every "
+        "pin in the middle of its bushing, so that the first contact is an "
+        "impact.");
+    }
+
+
+
+    void
+    DynamicsParameters::check() const
+    {
+      AssertThrow(accuracy > 1e-12 && accuracy <= 0.1,
+                  ExcParameter("Dynamics/Accuracy",
+                               "is " + std::to_string(accuracy) +
+                                 " but must be between 1e-12 and 0.1"));
+      AssertThrow(settling_tolerance > 0,
+                  ExcParameter("Dynamics/Settling tolerance",
+                               "is " + std::to_string(settling_tolerance) +
+                                 " but must be positive"));
+    }
+  } // namespace Multibody
+} // namespace Tribody

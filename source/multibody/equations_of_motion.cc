@@ -1,0 +1,233 @@
+#include <deal.II/base/exceptions.h>
+
+#include <tribody/multibody/equations_of_motion.h>
+#include <tribody/multibody/mechanism.h>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    EquationsOfMotion::EquationsOfMotion(
+      const Mechanism                     &mechanism,
+      const std::vector<ClearanceProfile> &clearances)
+      : system(mechanism)
+      , clearances(clearances)
+    {
+      Assert(clearances.size() == mechanism.clearance_joints().size(),
+             dealii::ExcMessage("One clearance per clearance joint."));
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_constraints(const double t,
+                                            ConstVector  q,
+                                            Vector       phi) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        phi.segment(row, element->n_equations) =
+          element->value(t, element->bodies.gather(q))
+            .head(element->n_equations);
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_constraint_jacobian(ConstVector q,
+                                                    Matrix      phi_q) const
+    {
+      phi_q.setZero();
+      for (const auto &[element, row] : system.constraints())
+        {
+          const unsigned int         n      = element->n_equations;
+          const BodyPair            &bodies = element->bodies;
+          const Constraint::Jacobian local =
+            element->jacobian(bodies.gather(q));
+          for (const int k : {0, 1})
+            if (bodies.body(k) != ground_body)
+              phi_q.block(row, 3 * bodies.body(k), n, 3) =
+                local.block(0, 3 * k, n, 3);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_time_derivatives(const double t,
+                                                 Vector       phi_t,
+                                                 Vector       phi_tt) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        {
+          const unsigned int n   = element->n_equations;
+          phi_t.segment(row, n)  = element->time_derivative(t).head(n);
+          phi_tt.segment(row, n) = element->second_time_derivative(t).head(n);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_quadratic_terms(ConstVector q,
+                                                ConstVector v,
+                                                Vector      quadratic) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        {
+          const PairVector local_q = element->bodies.gather(q);
+          const PairVector local_v = element->bodies.gather(v);
+          for (unsigned int k = 0; k < element->n_equations; ++k)
+            quadratic(row + k) = local_v.dot(
+              element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
+              local_v);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::add_multiplier_derivative(ConstVector  q,
+                                                 ConstVector  multipliers,
+                                                 const double factor,
+                                                 Matrix       matrix) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        {
+          Eigen::Vector2d weights = Eigen::Vector2d::Zero();
+          for (unsigned int k = 0; k < element->n_equations; ++k)
+            weights(k) = factor * multipliers(row + k);
+          element->bodies.add_to(
+            element->weighted_hessian(element->bodies.gather(q), weights),
+            matrix);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::add_velocity_derivative(ConstVector q,
+                                               ConstVector v,
+                                               Matrix      matrix) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        {
+          const BodyPair  &bodies  = element->bodies;
+          const PairVector local_q = bodies.gather(q);
+          const PairVector local_v = bodies.gather(v);
+          for (unsigned int k = 0; k < element->n_equations; ++k)
+            {
+              const PairVector local =
+                element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
+                local_v;
+              for (const int l : {0, 1})
+                if (bodies.body(l) != ground_body)
+                  matrix.block<1, 3>(row + k, 3 * bodies.body(l)) +=
+                    local.segment<3>(3 * l).transpose();
+            }
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_forces(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      Vector                     forces) const
+    {
+      forces = system.weights();
+      for (const Spring &spring : system.springs())
+        spring.bodies.add_to(
+          spring.compute_force(spring.bodies.gather(q), spring.bodies.gather(v))
+            .force,
+          forces);
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint   = system.clearance_joints()[j];
+          const PairVector      local_q = joint.bodies.gather(q);
+          const JointContact    contact = joint.compute_contact(
+            local_q, joint.bodies.gather(v), clearances[j], approach_speeds[j]);
+          if (contact.penetration > 0)
+            joint.bodies.add_to(joint.compute_force(local_q, contact), forces);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::subtract_force_derivatives(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      Matrix                     minus_d_position,
+      Matrix                     minus_d_velocity) const
+    {
+      const auto subtract = [&](const BodyPair &bodies, const PairForce &f) {
+        bodies.add_to(PairMatrix(-f.d_position), minus_d_position);
+        bodies.add_to(PairMatrix(-f.d_velocity), minus_d_velocity);
+      };
+      for (const Spring &spring : system.springs())
+        subtract(spring.bodies,
+                 spring.compute_force(spring.bodies.gather(q),
+                                      spring.bodies.gather(v)));
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint = system.clearance_joints()[j];
+          subtract(joint.bodies,
+                   joint.compute_force_with_derivatives(joint.bodies.gather(q),
+                                                        joint.bodies.gather(v),
+                                                        clearances[j],
+                                                        approach_speeds[j]));
+        }
+    }
+
+
+
+    double
+    EquationsOfMotion::compute_penetration(const unsigned int joint,
+                                           ConstVector        q) const
+    {
+      const ClearanceJoint &j = system.clearance_joints()[joint];
+      return j.compute_penetration(j.bodies.gather(q), clearances[joint]);
+    }
+
+
+
+    JointContact
+    EquationsOfMotion::compute_contact(const unsigned int joint,
+                                       ConstVector        q,
+                                       ConstVector        v,
+                                       const double       approach_speed) const
+    {
+      const ClearanceJoint &j = system.clearance_joints()[joint];
+      return j.compute_contact(j.bodies.gather(q),
+                               j.bodies.gather(v),
+                               clearances[joint],
+                               approach_speed);
+    }
+
+
+
+    Energy
+    EquationsOfMotion::compute_energy(ConstVector q, ConstVector v) const
+    {
+      Energy energy = {v.dot(system.masses().cwiseProduct(v)) / 2,
+                       -system.weights().dot(q)};
+      for (const Spring &spring : system.springs())
+        energy.potential += spring.potential_energy(spring.bodies.gather(q));
+      return energy;
+    }
+
+
+
+    std::vector<ClearanceProfile>
+    nominal_clearances(const Mechanism &mechanism)
+    {
+      std::vector<ClearanceProfile> clearances;
+      for (const ClearanceJoint &joint : mechanism.clearance_joints())
+        clearances.emplace_back(joint.nominal_clearance());
+      return clearances;
+    }
+  } // namespace Multibody
+} // namespace Tribody

@@ -1,0 +1,378 @@
+#include <idas/idas.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/multibody/ida_integrator.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <utility>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    struct IdaIntegrator::Memory
+    {
+      Memory(const ImplicitSystem &system, const IdaSettings &settings);
+      ~Memory();
+
+      // Throw what a callback threw, or translate IDA's return code.
+      void
+      check(const int flag, const std::string &what);
+
+      IntegratorStatistics
+      statistics_of_this_run() const;
+
+      ImplicitSystem       system;
+      IdaSettings          settings;
+      std::exception_ptr   exception;
+      double               time       = 0.;
+      bool                 is_started = false;
+      IntegratorStatistics previous_runs;
+      std::vector<int>     roots_found;
+
+      // The N_Vectors below are views of these.
+      Eigen::VectorXd y;
+      Eigen::VectorXd y_t;
+
+      SUNContext      context       = nullptr;
+      void           *ida           = nullptr;
+      N_Vector        nv_y          = nullptr;
+      N_Vector        nv_y_t        = nullptr;
+      SUNMatrix       matrix        = nullptr;
+      SUNLinearSolver linear_solver = nullptr;
+    };
+
+
+
+    namespace
+    {
+      // Exceptions must not pass through C. Anything that is caught here is
+      // kept, and IDA told to give up.
+      template <typename Function>
+      int
+      guarded(std::exception_ptr &exception, const Function &function)
+      {
+        try
+          {
+            return function();
+          }
+        catch (...)
+          {
+            exception = std::current_exception();
+            return -1;
+          }
+      }
+
+
+
+      Eigen::Map<const Eigen::VectorXd>
+      const_view(const N_Vector x)
+      {
+        return {N_VGetArrayPointer(x),
+                static_cast<Eigen::Index>(N_VGetLength(x))};
+      }
+
+
+
+      Eigen::Map<Eigen::VectorXd>
+      view(const N_Vector x)
+      {
+        return {N_VGetArrayPointer(x),
+                static_cast<Eigen::Index>(N_VGetLength(x))};
+      }
+
+
+
+      template <typename Memory>
+      int
+      residual_callback(realtype t,
+                        N_Vector y,
+                        N_Vector y_t,
+                        N_Vector r,
+                        void    *data)
+      {
+        Memory &memory = *static_cast<Memory *>(data);
+        return guarded(memory.exception, [&]() {
+          Eigen::Map<Eigen::VectorXd> result = view(r);
+          memory.system.residual(t, const_view(y), const_view(y_t), result);
+          // A step that leads to overflow is repeated with half its length.
+          return result.allFinite() ? 0 : 1;
+        });
+      }
+
+
+
+      template <typename Memory>
+      int
+      jacobian_callback(realtype t,
+                        realtype c,
+                        N_Vector y,
+                        N_Vector y_t,
+                        N_Vector /*r*/,
+                        SUNMatrix matrix,
+                        void     *data,
+                        N_Vector,
+                        N_Vector,
+                        N_Vector)
+      {
+        Memory &memory = *static_cast<Memory *>(data);
+        return guarded(memory.exception, [&]() {
+          Eigen::Map<Eigen::MatrixXd> result(SUNDenseMatrix_Data(matrix),
+                                             SUNDenseMatrix_Rows(matrix),
+                                             SUNDenseMatrix_Columns(matrix));
+          result.setZero();
+          memory.system.jacobian(t, c, const_view(y), const_view(y_t), result);
+          return result.allFinite() ? 0 : 1;
+        });
+      }
+
+
+
+      template <typename Memory>
+      int
+      root_callback(realtype t,
+                    N_Vector y,
+                    N_Vector /*y_t*/,
+                    realtype *values,
+                    void     *data)
+      {
+        Memory &memory = *static_cast<Memory *>(data);
+        return guarded(memory.exception, [&]() {
+          memory.system.roots(t, const_view(y), values);
+          return 0;
+        });
+      }
+
+
+
+      // We report errors ourselves, once, with what to do about them.
+      void
+      silent_error_handler(int, const char *, const char *, char *, void *)
+      {}
+    } // namespace
+
+
+
+    IntegratorStatistics &
+    IntegratorStatistics::operator+=(const IntegratorStatistics &other)
+    {
+      n_steps += other.n_steps;
+      n_residuals += other.n_residuals;
+      n_jacobians += other.n_jacobians;
+      n_error_test_failures += other.n_error_test_failures;
+      n_nonlinear_failures += other.n_nonlinear_failures;
+      n_starts += other.n_starts;
+      return *this;
+    }
+
+
+
+    IdaIntegrator::Memory::Memory(const ImplicitSystem &system,
+                                  const IdaSettings    &settings)
+      : system(system)
+      , settings(settings)
+      , roots_found(system.n_roots, 0)
+      , y(Eigen::VectorXd::Zero(settings.absolute_tolerances.size()))
+      , y_t(y)
+    {
+      check(SUNContext_Create(nullptr, &context), "SUNContext_Create");
+      nv_y          = N_VMake_Serial(y.size(), y.data(), context);
+      nv_y_t        = N_VMake_Serial(y.size(), y_t.data(), context);
+      matrix        = SUNDenseMatrix(y.size(), y.size(), context);
+      linear_solver = SUNLinSol_Dense(nv_y, matrix, context);
+      ida           = IDACreate(context);
+      AssertThrow(ida != nullptr && linear_solver != nullptr,
+                  ExcRun("SUNDIALS could not allocate its memory."));
+    }
+
+
+
+    IdaIntegrator::Memory::~Memory()
+    {
+      IDAFree(&ida);
+      SUNLinSolFree(linear_solver);
+      SUNMatDestroy(matrix);
+      N_VDestroy(nv_y);
+      N_VDestroy(nv_y_t);
+      SUNContext_Free(&context);
+    }
+
+
+
+    void
+    IdaIntegrator::Memory::check(const int flag, const std::string &what)
+    {
+      if (exception)
+        std::rethrow_exception(std::exchange(exception, nullptr));
+      if (flag >= 0)
+        return;
+      char             *name = IDAGetReturnFlagName(flag);
+      std::string const code = name;
+      free(name);
+      std::ostringstream message;
+      message << "The integration of the motion failed at time " << time
+              << " s (" << what << " of SUNDIALS returned " << code
+              << "). Try a larger value of 'Dynamics/Accuracy' or another "
+                 "'Dynamics/Maximum order', and check that masses, "
+                 "stiffnesses and initial positions are as intended.";
+      AssertThrow(false, ExcRun(message.str()));
+    }
+
+
+
+    IntegratorStatistics
+    IdaIntegrator::Memory::statistics_of_this_run() const
+    {
+      if (!is_started)
+        return {};
+      long steps = 0, residuals = 0, jacobians = 0, errors = 0, nonlinear = 0;
+      IDAGetNumSteps(ida, &steps);
+      IDAGetNumResEvals(ida, &residuals);
+      IDAGetNumJacEvals(ida, &jacobians);
+      IDAGetNumErrTestFails(ida, &errors);
+      IDAGetNumNonlinSolvConvFails(ida, &nonlinear);
+      IntegratorStatistics run;
+      run.n_steps               = steps;
+      run.n_residuals           = residuals;
+      run.n_jacobians           = jacobians;
+      run.n_error_test_failures = errors;
+      run.n_nonlinear_failures  = nonlinear;
+      run.n_starts              = 1;
+      return run;
+    }
+
+
+
+    IdaIntegrator::IdaIntegrator(const ImplicitSystem &system,
+                                 const IdaSettings    &settings)
+      : memory(std::make_unique<Memory>(system, settings))
+    {
+      Memory    &m   = *memory;
+      void      *ida = m.ida;
+      const auto run = [&](const int flag, const char *what) {
+        m.check(flag, what);
+      };
+      // Views of vectors that live until this function returns; IDA copies.
+      const auto with_view = [&](const Eigen::VectorXd &x,
+                                 const auto            &function) {
+        N_Vector nv =
+          N_VMake_Serial(x.size(), const_cast<double *>(x.data()), m.context);
+        const int flag = function(nv);
+        N_VDestroy(nv);
+        return flag;
+      };
+      run(IDAInit(ida, residual_callback<Memory>, 0., m.nv_y, m.nv_y_t),
+          "IDAInit");
+      run(IDASetErrHandlerFn(ida, silent_error_handler, nullptr),
+          "IDASetErrHandlerFn");
+      run(IDASetUserData(ida, &m), "IDASetUserData");
+      run(with_view(settings.absolute_tolerances,
+                    [&](N_Vector x) {
+                      return IDASVtolerances(ida,
+                                             settings.relative_tolerance,
+                                             x);
+                    }),
+          "IDASVtolerances");
+      run(with_view(settings.is_differential,
+                    [&](N_Vector x) { return IDASetId(ida, x); }),
+          "IDASetId");
+      run(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");
+      run(IDASetMaxOrd(ida, settings.maximum_order), "IDASetMaxOrd");
+      run(IDASetMaxStep(ida, settings.maximum_step), "IDASetMaxStep");
+      run(IDASetLinearSolver(ida, m.linear_solver, m.matrix),
+          "IDASetLinearSolver");
+      run(IDASetJacFn(ida, jacobian_callback<Memory>), "IDASetJacFn");
+      if (system.n_roots > 0)
+        {
+          run(IDARootInit(ida, system.n_roots, root_callback<Memory>),
+              "IDARootInit");
+          run(IDASetNoInactiveRootWarn(ida), "IDASetNoInactiveRootWarn");
+        }
+    }
+
+
+
+    IdaIntegrator::~IdaIntegrator() = default;
+
+
+
+    void
+    IdaIntegrator::start(const double           t,
+                         const Eigen::VectorXd &y,
+                         const Eigen::VectorXd &y_t)
+    {
+      memory->previous_runs += memory->statistics_of_this_run();
+      memory->time = t;
+      memory->y    = y;
+      memory->y_t  = y_t;
+      memory->check(IDAReInit(memory->ida, t, memory->nv_y, memory->nv_y_t),
+                    "IDAReInit");
+      memory->check(IDASetInitStep(memory->ida, memory->settings.initial_step),
+                    "IDASetInitStep");
+      memory->is_started = true;
+    }
+
+
+
+    const std::vector<int> &
+    IdaIntegrator::step(const double direction)
+    {
+      const int flag = IDASolve(memory->ida,
+                                direction,
+                                &memory->time,
+                                memory->nv_y,
+                                memory->nv_y_t,
+                                IDA_ONE_STEP);
+      memory->check(flag, "IDASolve");
+      if (flag == IDA_ROOT_RETURN)
+        memory->check(IDAGetRootInfo(memory->ida, memory->roots_found.data()),
+                      "IDAGetRootInfo");
+      else
+        memory->roots_found.assign(memory->system.n_roots, 0);
+      return memory->roots_found;
+    }
+
+
+
+    double
+    IdaIntegrator::time() const
+    {
+      return memory->time;
+    }
+
+
+
+    const Eigen::VectorXd &
+    IdaIntegrator::solution() const
+    {
+      return memory->y;
+    }
+
+
+
+    void
+    IdaIntegrator::interpolate(const double t, Eigen::VectorXd &y) const
+    {
+      y.resize(memory->y.size());
+      N_Vector  nv   = N_VMake_Serial(y.size(), y.data(), memory->context);
+      const int flag = IDAGetDky(memory->ida, t, 0, nv);
+      N_VDestroy(nv);
+      memory->check(flag, "IDAGetDky");
+    }
+
+
+
+    IntegratorStatistics
+    IdaIntegrator::statistics() const
+    {
+      IntegratorStatistics total = memory->previous_runs;
+      total += memory->statistics_of_this_run();
+      return total;
+    }
+  } // namespace Multibody
+} // namespace Tribody

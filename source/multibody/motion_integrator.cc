@@ -1,0 +1,268 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/multibody/kinematics.h>
+#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/motion_integrator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    MotionIntegrator::MotionIntegrator(const EquationsOfMotion &equations,
+                                       const MotionTolerances  &tolerances)
+      : equations(equations)
+      , n(equations.mechanism().n_coordinates())
+      , m(equations.mechanism().n_constraints())
+      , phi_q(m, n)
+      , phi_t(m)
+      , phi_tt(m)
+      , forces(n)
+    {
+      ida = std::make_unique<IdaIntegrator>(make_system(),
+                                            make_settings(tolerances));
+    }
+
+
+
+    MotionIntegrator::~MotionIntegrator() = default;
+
+
+
+    ImplicitSystem
+    MotionIntegrator::make_system()
+    {
+      ImplicitSystem system;
+      system.residual = [this](const double                       t,
+                               const ImplicitSystem::ConstVector &y,
+                               const ImplicitSystem::ConstVector &y_t,
+                               ImplicitSystem::Vector            &residual) {
+        assemble_residual(y, y_t, t, residual);
+      };
+      system.jacobian = [this](const double /*t*/,
+                               const double                       c,
+                               const ImplicitSystem::ConstVector &y,
+                               const ImplicitSystem::ConstVector & /*y_t*/,
+                               ImplicitSystem::Matrix &jacobian) {
+        assemble_jacobian(y, c, jacobian);
+      };
+      system.n_roots = equations.mechanism().clearance_joints().size();
+      system.roots =
+        [this, n_roots = system.n_roots](const double /*t*/,
+                                         const ImplicitSystem::ConstVector &y,
+                                         double *values) {
+          for (unsigned int j = 0; j < n_roots; ++j)
+            values[j] = equations.compute_penetration(j, y.head(n));
+        };
+      return system;
+    }
+
+
+
+    IdaSettings
+    MotionIntegrator::make_settings(const MotionTolerances &tolerances) const
+    {
+      IdaSettings settings;
+      settings.is_differential.resize(2 * n + 2 * m);
+      settings.is_differential << Eigen::VectorXd::Ones(2 * n),
+        Eigen::VectorXd::Zero(2 * m);
+      // Multipliers follow from q and v at every instant: they must not keep
+      // Newton's method from converging.
+      settings.absolute_tolerances.resize(2 * n + 2 * m);
+      settings.absolute_tolerances << tolerances.positions,
+        tolerances.velocities, Eigen::VectorXd::Constant(2 * m, 1e30);
+      settings.maximum_order = tolerances.maximum_order;
+      settings.maximum_step  = tolerances.maximum_step;
+      settings.initial_step  = tolerances.initial_step;
+      return settings;
+    }
+
+
+
+    void
+    MotionIntegrator::assemble_residual(const ImplicitSystem::ConstVector &y,
+                                        const ImplicitSystem::ConstVector &y_t,
+                                        const double                       t,
+                                        ImplicitSystem::Vector &residual)
+    {
+      const auto q      = y.head(n);
+      const auto v      = y.segment(n, n);
+      const auto lambda = y.segment(2 * n, m);
+      const auto mu     = y.tail(m);
+
+      equations.assemble_constraint_jacobian(q, phi_q);
+      equations.assemble_time_derivatives(t, phi_t, phi_tt);
+      equations.assemble_forces(q, v, current.approach_speeds, forces);
+
+      residual.head(n) = y_t.head(n) - v;
+      residual.head(n).noalias() -= phi_q.transpose() * mu;
+      residual.segment(n, n) =
+        equations.mechanism().masses().cwiseProduct(y_t.segment(n, n)) - forces;
+      residual.segment(n, n).noalias() += phi_q.transpose() * lambda;
+      equations.assemble_constraints(t, q, residual.segment(2 * n, m));
+      residual.tail(m) = phi_t;
+      residual.tail(m).noalias() += phi_q * v;
+    }
+
+
+
+    void
+    MotionIntegrator::assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                                        const double                       c,
+                                        ImplicitSystem::Matrix &jacobian)
+    {
+      const auto q      = y.head(n);
+      const auto v      = y.segment(n, n);
+      const auto lambda = y.segment(2 * n, m);
+      const auto mu     = y.tail(m);
+
+      equations.assemble_constraint_jacobian(q, phi_q);
+
+      // q' - v - Phi_q^T mu
+      jacobian.block(0, 0, n, n).diagonal().setConstant(c);
+      equations.add_multiplier_derivative(q,
+                                          mu,
+                                          -1.,
+                                          jacobian.block(0, 0, n, n));
+      jacobian.block(0, n, n, n).diagonal().setConstant(-1.);
+      jacobian.block(0, 2 * n + m, n, m) = -phi_q.transpose();
+
+      // M v' - Q + Phi_q^T lambda
+      equations.subtract_force_derivatives(q,
+                                           v,
+                                           current.approach_speeds,
+                                           jacobian.block(n, 0, n, n),
+                                           jacobian.block(n, n, n, n));
+      equations.add_multiplier_derivative(q,
+                                          lambda,
+                                          1.,
+                                          jacobian.block(n, 0, n, n));
+      jacobian.block(n, n, n, n).diagonal() +=
+        c * equations.mechanism().masses();
+      jacobian.block(n, 2 * n, n, m) = phi_q.transpose();
+
+      // Phi and Phi_q v + Phi_t
+      jacobian.block(2 * n, 0, m, n) = phi_q;
+      equations.add_velocity_derivative(q,
+                                        v,
+                                        jacobian.block(2 * n + m, 0, m, n));
+      jacobian.block(2 * n + m, n, m, n) = phi_q;
+    }
+
+
+
+    void
+    MotionIntegrator::start(const MechanismState &state)
+    {
+      current = state;
+      const std::vector<ClearanceJoint> &joints =
+        equations.mechanism().clearance_joints();
+      current.approach_speeds.resize(joints.size());
+      for (unsigned int j = 0; j < joints.size(); ++j)
+        current.approach_speeds[j] = joints[j].minimum_approach_speed;
+      the_events.clear();
+      the_peak_forces.assign(joints.size(), 0.);
+      restart();
+    }
+
+
+
+    void
+    MotionIntegrator::restart()
+    {
+      equations.assemble_forces(current.q,
+                                current.v,
+                                current.approach_speeds,
+                                forces);
+      const Accelerations accelerations =
+        compute_accelerations(equations,
+                              current.time,
+                              ConstraintOffsets(m),
+                              current.q,
+                              current.v,
+                              forces);
+      Eigen::VectorXd y(2 * n + 2 * m), y_t(2 * n + 2 * m);
+      y << current.q, current.v, accelerations.multipliers,
+        Eigen::VectorXd::Zero(m);
+      y_t << current.v, accelerations.a, Eigen::VectorXd::Zero(2 * m);
+      ida->start(current.time, y, y_t);
+      restart_is_pending = false;
+    }
+
+
+
+    void
+    MotionIntegrator::record_step(const std::vector<int> &roots)
+    {
+      const Eigen::VectorXd &y = ida->solution();
+      for (unsigned int j = 0; j < roots.size(); ++j)
+        {
+          const JointContact contact = equations.compute_contact(
+            j, y.head(n), y.segment(n, n), current.approach_speeds[j]);
+          the_peak_forces[j] = std::max(the_peak_forces[j],
+                                        std::hypot(contact.normal_force,
+                                                   contact.tangential_force));
+          if (roots[j] == 0)
+            continue;
+          the_events.push_back(
+            {ida->time(), j, roots[j] > 0, contact.penetration_rate});
+          restart_is_pending = restart_is_pending || roots[j] > 0;
+        }
+    }
+
+
+
+    const MechanismState &
+    MotionIntegrator::advance_to(const double        t,
+                                 const unsigned long maximum_steps)
+    {
+      if (t == current.time)
+        return current;
+      unsigned long n_steps = 0;
+      while (ida->time() < t)
+        {
+          if (restart_is_pending)
+            {
+              // The step behind us went past the onset with an approach speed
+              // of the contact before. It is given up from there on.
+              current.time = ida->time();
+              current.q    = ida->solution().head(n);
+              current.v    = ida->solution().segment(n, n);
+              for (auto e = the_events.rbegin();
+                   e != the_events.rend() && e->time == current.time;
+                   ++e)
+                if (e->is_onset)
+                  current.approach_speeds[e->joint] =
+                    std::max(e->penetration_rate,
+                             equations.mechanism()
+                               .clearance_joints()[e->joint]
+                               .minimum_approach_speed);
+              restart();
+            }
+          AssertThrow(n_steps++ < maximum_steps,
+                      ExcRun("The integration of the motion took more than " +
+                             std::to_string(maximum_steps) +
+                             " steps and has only reached time " +
+                             std::to_string(ida->time()) +
+                             " s. A larger 'Dynamics/Accuracy' takes longer "
+                             "steps; 'Dynamics/Maximum steps per cycle' "
+                             "allows more."));
+          record_step(ida->step(t + 1.));
+        }
+      ida->interpolate(t, interpolated);
+      current.time = t;
+      current.q    = interpolated.head(n);
+      current.v    = interpolated.segment(n, n);
+      return current;
+    }
+
+
+
+    IntegratorStatistics
+    MotionIntegrator::statistics() const
+    {
+      return ida->statistics();
+    }
+  } // namespace Multibody
+} // namespace Tribody

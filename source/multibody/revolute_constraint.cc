@@ -1,0 +1,58 @@
+#include <tribody/multibody/revolute_constraint.h>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    RevoluteConstraint::RevoluteConstraint(const std::string &description,
+                                           const Marker      &first,
+                                           const Marker      &second)
+      : Constraint(description, {first.body, second.body}, 2)
+      , s_1(first.position)
+      , s_2(second.position)
+    {}
+
+
+
+    Eigen::Vector2d
+    RevoluteConstraint::value(const double /*t*/, const PairVector &q) const
+    {
+      return marker_position(q.head<3>(), s_1) -
+             marker_position(q.tail<3>(), s_2);
+    }
+
+
+
+    Constraint::Jacobian
+    RevoluteConstraint::jacobian(const PairVector &q) const
+    {
+      Jacobian result = Jacobian::Zero();
+      result.leftCols<2>().setIdentity();
+      result.col(2)           = perpendicular(turned(s_1, q(2)));
+      result.middleCols<2>(3) = -Eigen::Matrix2d::Identity();
+      result.col(5)           = -perpendicular(turned(s_2, q(5)));
+      return result;
+    }
+
+
+
+    PairMatrix
+    RevoluteConstraint::weighted_hessian(const PairVector      &q,
+                                         const Eigen::Vector2d &weights) const
+    {
+      PairMatrix result = PairMatrix::Zero();
+      result(2, 2)      = -weights.dot(turned(s_1, q(2)));
+      result(5, 5)      = weights.dot(turned(s_2, q(5)));
+      return result;
+    }
+
+
+
+    Eigen::Vector2d
+    RevoluteConstraint::reaction_force(const PairVector & /*q*/,
+                                       const Eigen::Vector2d &multipliers) const
+    {
+      return multipliers;
+    }
+  } // namespace Multibody
+} // namespace Tribody

@@ -1,0 +1,255 @@
+#include <Eigen/LU>
+
+#include <tribody/multibody/equations_of_motion.h>
+#include <tribody/multibody/kinematics.h>
+#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/slow_motion_start.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    namespace
+    {
+      constexpr int n_times = 5;
+      constexpr int centre  = n_times / 2;
+
+      // One value per time, and one row per time of the derivative.
+      using TimeMatrix = Eigen::Matrix<double, n_times, n_times>;
+
+      // Derivatives of the polynomial through values at -2, -1, 0, 1, 2 are
+      // values times the transpose of this: from Vandermonde matrices.
+      TimeMatrix
+      differentiation_matrix(const int order)
+      {
+        TimeMatrix powers, derivatives = TimeMatrix::Zero();
+        for (int i = 0; i < n_times; ++i)
+          for (int k = 0; k < n_times; ++k)
+            {
+              powers(i, k) = std::pow(i - centre, k);
+              if (k >= order)
+                derivatives(i, k) = std::pow(i - centre, k - order) *
+                                    std::tgamma(k + 1.) /
+                                    std::tgamma(k - order + 1.);
+            }
+        return derivatives * powers.inverse();
+      }
+
+
+
+      // The search for e(t): see compute_slow_motion_start().
+      class SlowMotionSearch
+      {
+      public:
+        SlowMotionSearch(const EquationsOfMotion &equations,
+                         const EquationsOfMotion &closed,
+                         const double             t_0,
+                         const double             spacing);
+
+        StartingState
+        solve();
+
+      private:
+        // Motion at all times with the present e(t) and friction moments.
+        void
+        update_motion();
+
+        // New e(t) from the reactions; returns the largest change relative to
+        // the penetration.
+        double
+        update_eccentricities();
+
+        void
+        update_eccentricity(const unsigned int j, const int k);
+
+        const EquationsOfMotion &equations;
+        const EquationsOfMotion &closed;
+        const double             t_0;
+        const double             spacing;
+        const TimeMatrix         first;
+        const TimeMatrix         second;
+
+        std::vector<unsigned int>                      rows;
+        std::vector<Eigen::Matrix<double, 2, n_times>> e;
+        std::vector<Eigen::Matrix<double, 1, n_times>> penetrations;
+        std::vector<Eigen::VectorXd>                   extra_forces;
+        std::vector<Motion>                            motions;
+      };
+
+
+
+      SlowMotionSearch::SlowMotionSearch(const EquationsOfMotion &equations,
+                                         const EquationsOfMotion &closed,
+                                         const double             t_0,
+                                         const double             spacing)
+        : equations(equations)
+        , closed(closed)
+        , t_0(t_0)
+        , spacing(spacing)
+        , first(differentiation_matrix(1) / spacing)
+        , second(differentiation_matrix(2) / (spacing * spacing))
+      {
+        const Mechanism &mechanism = equations.mechanism();
+        for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
+          if (mechanism.joints()[j].has_clearance)
+            rows.push_back(
+              closed.mechanism()
+                .constraints()[closed.mechanism().joints()[j].index]
+                .first_row);
+        e.assign(rows.size(), Eigen::Matrix<double, 2, n_times>::Zero());
+        penetrations.assign(rows.size(),
+                            Eigen::Matrix<double, 1, n_times>::Zero());
+        extra_forces.assign(n_times,
+                            Eigen::VectorXd::Zero(mechanism.n_coordinates()));
+        motions.resize(n_times);
+        for (Motion &motion : motions)
+          motion.q = assemble_configuration(closed, t_0);
+      }
+
+
+
+      void
+      SlowMotionSearch::update_motion()
+      {
+        for (int k = 0; k < n_times; ++k)
+          {
+            ConstraintOffsets offsets(closed.mechanism().n_constraints());
+            for (unsigned int j = 0; j < rows.size(); ++j)
+              {
+                offsets.value.segment<2>(rows[j]) = e[j].col(k);
+                offsets.first_derivative.segment<2>(rows[j]) =
+                  e[j] * first.row(k).transpose();
+                offsets.second_derivative.segment<2>(rows[j]) =
+                  e[j] * second.row(k).transpose();
+              }
+            motions[k] = solve_motion(closed,
+                                      t_0 + (k - centre) * spacing,
+                                      offsets,
+                                      extra_forces[k],
+                                      motions[k].q);
+          }
+      }
+
+
+
+      void
+      SlowMotionSearch::update_eccentricity(const unsigned int j, const int k)
+      {
+        const ClearanceJoint &joint =
+          equations.mechanism().clearance_joints()[j];
+        const Motion         &motion   = motions[k];
+        const Eigen::Vector2d reaction = motion.multipliers.segment<2>(rows[j]);
+        const double          force    = reaction.norm();
+        const JointContact    contact  = equations.compute_contact(
+          j, motion.q, motion.v, joint.minimum_approach_speed);
+
+        // The reaction is F_N (n + ratio k x n).
+        double ratio =
+          compute_friction_ratio(joint.friction_law, contact.sliding_speed)
+            .value;
+        if (force > 0)
+          ratio += joint.tangential_damping * contact.swing_speed / force;
+        const double normal_force = force / std::hypot(1., ratio);
+        const double angle =
+          std::atan2(reaction.y(), reaction.x()) - std::atan(ratio);
+        const double bushing_angle = (joint.bodies.second == ground_body)
+                                       ? 0.
+                                       : motion.q(3 * joint.bodies.second + 2);
+
+        // Far from the solution the rate has no meaning yet, and a law may not
+        // allow a force at large negative ones.
+        const double rate  = std::clamp(contact.penetration_rate,
+                                       -0.5 * joint.minimum_approach_speed,
+                                       0.5 * joint.minimum_approach_speed);
+        penetrations[j](k) = compute_penetration(joint.contact_law,
+                                                 normal_force,
+                                                 rate,
+                                                 joint.minimum_approach_speed);
+        const double eccentricity =
+          equations.clearance(j).clearance(angle - bushing_angle) +
+          penetrations[j](k);
+        e[j].col(k) << eccentricity * std::cos(angle),
+          eccentricity * std::sin(angle);
+
+        const double tangential_force = ratio * normal_force;
+        PairVector   moments          = PairVector::Zero();
+        moments(2)                    = -joint.pin_radius * tangential_force;
+        moments(5)                    = joint.bushing_radius * tangential_force;
+        joint.bodies.add_to(moments, extra_forces[k]);
+      }
+
+
+
+      double
+      SlowMotionSearch::update_eccentricities()
+      {
+        for (Eigen::VectorXd &forces : extra_forces)
+          forces.setZero();
+        double change = 0.;
+        for (unsigned int j = 0; j < rows.size(); ++j)
+          {
+            const Eigen::Matrix<double, 2, n_times> old = e[j];
+            for (int k = 0; k < n_times; ++k)
+              update_eccentricity(j, k);
+            change = std::max(change,
+                              (e[j] - old).colwise().norm().maxCoeff() /
+                                penetrations[j].maxCoeff());
+          }
+        return change;
+      }
+
+
+
+      StartingState
+      SlowMotionSearch::solve()
+      {
+        StartingState          start;
+        SolverReport          &report         = start.report;
+        constexpr unsigned int max_iterations = 100;
+        constexpr double       tolerance      = 1e-8;
+        while (!report.converged && report.n_iterations < max_iterations)
+          {
+            update_motion();
+            report.residual  = update_eccentricities();
+            report.converged = report.residual < tolerance;
+            ++report.n_iterations;
+          }
+        update_motion();
+        start.state = {t_0, motions[centre].q, motions[centre].v, {}};
+        if (!report.converged)
+          report.message =
+            "no start without vibration was found; the motion begins with "
+            "the best one";
+        return start;
+      }
+    } // namespace
+
+
+
+    StartingState
+    compute_centred_start(const EquationsOfMotion &closed, const double t_0)
+    {
+      StartingState           start;
+      const ConstraintOffsets none(closed.mechanism().n_constraints());
+      start.state.time = t_0;
+      start.state.q    = assemble_configuration(closed, t_0);
+      start.state.v    = compute_velocities(closed, t_0, none, start.state.q);
+      start.report.converged = true;
+      return start;
+    }
+
+
+
+    StartingState
+    compute_slow_motion_start(const EquationsOfMotion &equations,
+                              const EquationsOfMotion &closed,
+                              const double             t_0,
+                              const double             spacing)
+    {
+      return SlowMotionSearch(equations, closed, t_0, spacing).solve();
+    }
+  } // namespace Multibody
+} // namespace Tribody

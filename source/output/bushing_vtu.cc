@@ -1,0 +1,87 @@
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/output/bushing_vtu.h>
+
+#include <fstream>
+
+namespace Tribody
+{
+  namespace Output
+  {
+    namespace
+    {
+      // Two scalar fields on the bore, carried by the two components of the
+      // vector-valued element, so that no second numbering is needed.
+      dealii::Vector<double>
+      make_bore_field(const BushingFields &fields)
+      {
+        dealii::Vector<double> values(fields.dof_handler.n_dofs());
+        for (Eigen::Index i = 0; i < fields.bore_nodes.n_nodes(); ++i)
+          {
+            values[fields.bore_nodes.x_dofs[i]] = fields.contact_pressure[i];
+            values[fields.bore_nodes.y_dofs[i]] = fields.wear_depth[i];
+          }
+        return values;
+      }
+    } // namespace
+
+
+
+    void
+    write_bushing_vtu(const std::string &file_name, const BushingFields &fields)
+    {
+      using Interpretation =
+        dealii::DataComponentInterpretation::DataComponentInterpretation;
+      const std::vector<Interpretation> vector_components(
+        2, Interpretation::component_is_part_of_vector);
+      const std::vector<Interpretation> scalar_components(
+        2, Interpretation::component_is_scalar);
+
+      // DataOut keeps a pointer to every vector: this one must outlive it.
+      const dealii::Vector<double> bore_field = make_bore_field(fields);
+
+      dealii::DataOut<2> data_out;
+      data_out.attach_dof_handler(fields.dof_handler);
+      data_out.add_data_vector(fields.displacement,
+                               std::vector<std::string>(2, "displacement"),
+                               dealii::DataOut<2>::type_dof_data,
+                               vector_components);
+      data_out.add_data_vector(fields.wear_displacement,
+                               std::vector<std::string>(2, "wear_displacement"),
+                               dealii::DataOut<2>::type_dof_data,
+                               vector_components);
+      data_out.add_data_vector(bore_field,
+                               std::vector<std::string>(
+                                 {"contact_pressure", "wear_depth"}),
+                               dealii::DataOut<2>::type_dof_data,
+                               scalar_components);
+      data_out.add_data_vector(fields.displacement, fields.stresses);
+      data_out.build_patches(fields.worn_mapping,
+                             fields.dof_handler.get_fe().degree,
+                             dealii::DataOut<2>::curved_inner_cells);
+
+      std::ofstream file(file_name);
+      data_out.write_vtu(file);
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+    }
+
+
+
+    void
+    write_pvd(
+      const std::string                                 &file_name,
+      const std::vector<std::pair<double, std::string>> &times_and_names)
+    {
+      std::ofstream file(file_name);
+      dealii::DataOutBase::write_pvd_record(file, times_and_names);
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+    }
+  } // namespace Output
+} // namespace Tribody

@@ -1,0 +1,109 @@
+#include <deal.II/base/utilities.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/output/output_directory.h>
+
+#include <filesystem>
+
+namespace Tribody
+{
+  namespace Output
+  {
+    namespace fs = std::filesystem;
+
+    namespace
+    {
+      // Written first by every run, so its presence tells our results from
+      // anything else that a user keeps in a directory.
+      constexpr const char *mark = "parameters.prm";
+
+      bool
+      has_content(const fs::path &directory)
+      {
+        return fs::exists(directory) && !fs::is_empty(directory);
+      }
+    } // namespace
+
+
+
+    OutputDirectory::OutputDirectory(const std::string &path)
+      : directory(path)
+    {
+      AssertThrow(!path.empty(), ExcInput("The output directory has no name."));
+      AssertThrow(!fs::exists(path) || fs::is_directory(path),
+                  ExcInput("The output directory '" + path +
+                           "' is a file. Choose another one with --output."));
+      AssertThrow(!has_content(path) || fs::exists(fs::path(path) / mark),
+                  ExcInput("The output directory '" + path +
+                           "' contains files that no run of Tribody has "
+                           "written. Choose another one with --output."));
+    }
+
+
+
+    std::string
+    OutputDirectory::create() const
+    {
+      std::string message;
+      try
+        {
+          if (has_content(directory))
+            {
+              fs::path plain = fs::path(directory).lexically_normal();
+              if (!plain.has_filename())
+                plain = plain.parent_path();
+              unsigned int number = 1;
+              while (fs::exists(plain.string() + "." + std::to_string(number)))
+                ++number;
+              const std::string aside =
+                plain.string() + "." + std::to_string(number);
+              fs::rename(plain, aside);
+              message = "Earlier results moved to '" + aside + "'.";
+            }
+          fs::create_directories(directory);
+        }
+      catch (const fs::filesystem_error &error)
+        {
+          AssertThrow(false,
+                      ExcRun("Cannot make the output directory '" + directory +
+                             "': " + error.code().message() + "."));
+        }
+      return message;
+    }
+
+
+
+    std::string
+    OutputDirectory::file(const std::string &name) const
+    {
+      return (fs::path(directory) / name).string();
+    }
+
+
+
+    std::string
+    OutputDirectory::joint_file(const std::string &joint,
+                                const std::string &name) const
+    {
+      const fs::path  joint_directory = fs::path(directory) / joint;
+      std::error_code error;
+      fs::create_directories(joint_directory, error);
+      AssertThrow(!error,
+                  ExcRun("Cannot make the directory '" +
+                         joint_directory.string() + "': " + error.message() +
+                         "."));
+      return (joint_directory / name).string();
+    }
+
+
+
+    std::string
+    numbered_name(const std::string &stem,
+                  const unsigned int number,
+                  const std::string &extension)
+    {
+      return stem + "_" + dealii::Utilities::int_to_string(number, 4) + "." +
+             extension;
+    }
+  } // namespace Output
+} // namespace Tribody

@@ -1,0 +1,117 @@
+#include <nlohmann/json.hpp>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/version.h>
+#include <tribody/output/summary.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace Tribody
+{
+  namespace Output
+  {
+    namespace
+    {
+      // Keeps the order in which entries are added.
+      using Json = nlohmann::ordered_json;
+
+      double
+      degrees(const double radians)
+      {
+        return radians * 180. / M_PI;
+      }
+
+
+
+      Json
+      bushing_to_json(const BushingSummary &bushing)
+      {
+        Json json = {{"max_wear_depth_m", bushing.max_wear_depth},
+                     {"max_wear_angle_deg", degrees(bushing.max_wear_angle)},
+                     {"worn_volume_m3", bushing.worn_volume},
+                     {"worn_mass_kg", bushing.worn_mass},
+                     {"crescent_closed_form",
+                      {{"max_wear_depth_m", bushing.crescent_max_wear_depth},
+                       {"worn_volume_m3", bushing.crescent_worn_volume}}},
+                     {"wear_rate_mesh_oscillation", bushing.mesh_oscillation},
+                     {"max_stable_wear_step_cycles",
+                      bushing.max_stable_wear_step}};
+        if (!bushing.comparison.source.empty())
+          json["comparison"] = {{"source", bushing.comparison.source},
+                                {"max_wear_depth_m",
+                                 bushing.comparison.max_wear_depth},
+                                {"worn_mass_kg", bushing.comparison.worn_mass}};
+        return json;
+      }
+
+
+
+      Json
+      joint_to_json(const JointSummary &joint)
+      {
+        Json json = Json::object();
+        if (joint.has_bushing)
+          {
+            json["bushing"]         = bushing_to_json(joint.bushing);
+            json["max_pressure_Pa"] = joint.bushing.max_pressure;
+            json["contact_half_angle_deg"] =
+              degrees(joint.bushing.contact_half_angle);
+            json["volume_balance_relative_error"] =
+              joint.bushing.volume_balance_relative_error;
+          }
+        json["peak_force_N"] = joint.peak_force;
+        json["mean_force_N"] = joint.mean_force;
+        if (joint.has_clearance)
+          {
+            json["mean_normal_force_N"] = joint.mean_normal_force;
+            json["clearance_m"]         = joint.clearance;
+            json["contact_losses"]      = joint.contact_losses;
+          }
+        json["sliding_per_cycle_m"] = joint.sliding_per_cycle;
+        return json;
+      }
+    } // namespace
+
+
+
+    void
+    write_summary_json(const std::string &file_name, const RunSummary &summary)
+    {
+      Json json = {
+        {"program",
+         {{"name", "tribody"},
+          {"version", program_version()},
+          {"git", program_revision()},
+          {"libraries", library_versions()}}},
+        {"case", summary.case_name},
+        {"status", summary.status},
+        {"message", summary.message},
+        {"cycles", summary.cycles},
+        {"wall_time_s", summary.wall_time},
+        {"cpu_time_s", summary.cpu_time},
+        {"peak_memory_bytes",
+         static_cast<unsigned long long>(summary.peak_memory_bytes)},
+        {"counts",
+         {{"wear_steps", summary.wear_steps},
+          {"rate_evaluations", summary.rate_evaluations},
+          {"dynamics_cycles", summary.dynamics_cycles},
+          {"contact_solves", summary.contact_solves},
+          {"compliance_builds", summary.compliance_builds}}},
+        {"joints", Json::object()},
+        {"dynamics",
+         {{"constraint_drift_m", summary.constraint_drift},
+          {"settled", summary.all_settled},
+          {"settling_relative_difference", summary.settling_difference}}},
+        {"error_estimate",
+         {{"max_wear_depth_relative", summary.max_wear_depth_relative_error},
+          {"covers", "wear steps (explicit Euler)"}}}};
+      for (const JointSummary &joint : summary.joints)
+        json["joints"][joint.name] = joint_to_json(joint);
+
+      std::ofstream file(file_name);
+      file << json.dump(2) << std::endl;
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+    }
+  } // namespace Output
+} // namespace Tribody

@@ -1,0 +1,135 @@
+#include <deal.II/base/exceptions.h>
+
+#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
+#include <boost/math/interpolators/makima.hpp>
+
+#include <tribody/surface/clearance_profile.h>
+
+#include <cmath>
+#include <vector>
+
+namespace Tribody
+{
+  namespace
+  {
+    constexpr double two_pi = 2. * M_PI;
+
+    // The periodic continuation on each side of the turn. The influence of
+    // the end conditions on a cubic spline falls by 0.27 from node to node.
+    constexpr int n_padding = 24;
+
+    // Values on an equidistant grid of one turn that starts at angles(0).
+    std::vector<double>
+    equidistant_values(const Eigen::VectorXd &angles,
+                       const Eigen::VectorXd &clearances)
+    {
+      const int    n       = angles.size();
+      const double spacing = two_pi / n;
+      bool         is_even = true;
+      for (int i = 0; i < n; ++i)
+        is_even =
+          is_even && std::abs(angles(i) - angles(0) - i * spacing) < 1e-9;
+      if (is_even)
+        return {clearances.data(), clearances.data() + n};
+
+      constexpr int       wrap = 4;
+      std::vector<double> x, y;
+      for (int i = -wrap; i < n + wrap; ++i)
+        {
+          const int turn = (i < 0) ? -1 : i / n;
+          x.push_back(angles(i - turn * n) + turn * two_pi);
+          y.push_back(clearances(i - turn * n));
+        }
+      const boost::math::interpolators::makima<std::vector<double>> curve(
+        std::move(x), std::move(y));
+
+      std::vector<double> values(4 * n);
+      for (int i = 0; i < 4 * n; ++i)
+        values[i] = curve(angles(0) + i * two_pi / (4 * n));
+      return values;
+    }
+  } // namespace
+
+
+
+  struct ClearanceProfile::Spline
+  {
+    Spline(const std::vector<double> &values, const double origin)
+      : origin(origin)
+      , curve(make_curve(values))
+    {}
+
+    static boost::math::interpolators::cardinal_cubic_b_spline<double>
+    make_curve(const std::vector<double> &values)
+    {
+      const int           n       = values.size();
+      const double        spacing = two_pi / n;
+      std::vector<double> padded(n + 2 * n_padding + 1);
+      const auto          periodic = [&](const int i) {
+        return values[((i % n) + n) % n];
+      };
+      for (int i = 0; i < static_cast<int>(padded.size()); ++i)
+        padded[i] = periodic(i - n_padding);
+      const auto slope = [&](const int i) {
+        return (periodic(i + 1) - periodic(i - 1)) / (2 * spacing);
+      };
+      return {padded.data(),
+              padded.size(),
+              -n_padding * spacing,
+              spacing,
+              slope(-n_padding),
+              slope(n + n_padding)};
+    }
+
+    // The argument of the curve, in [0, 2 pi).
+    double
+    reduced(const double angle) const
+    {
+      const double x = angle - origin;
+      return x - two_pi * std::floor(x / two_pi);
+    }
+
+    double                                                      origin;
+    boost::math::interpolators::cardinal_cubic_b_spline<double> curve;
+  };
+
+
+
+  ClearanceProfile::ClearanceProfile(const double clearance)
+    : mean_clearance(clearance)
+  {}
+
+
+
+  ClearanceProfile::ClearanceProfile(const Eigen::VectorXd &angles,
+                                     const Eigen::VectorXd &clearances)
+  {
+    Assert(angles.size() == clearances.size() && angles.size() >= 4,
+           dealii::ExcMessage("A profile needs at least four points."));
+    const std::vector<double> values = equidistant_values(angles, clearances);
+    mean_clearance =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).mean();
+    spline = std::make_shared<const Spline>(values, angles(0));
+  }
+
+
+
+  double
+  ClearanceProfile::clearance(const double angle) const
+  {
+    return spline ? spline->curve(spline->reduced(angle)) : mean_clearance;
+  }
+
+
+
+  ClearanceProfile::Values
+  ClearanceProfile::evaluate(const double angle) const
+  {
+    if (!spline)
+      return {mean_clearance, 0., 0.};
+    const double x = spline->reduced(angle);
+    return {spline->curve(x),
+            spline->curve.prime(x),
+            spline->curve.double_prime(x)};
+  }
+} // namespace Tribody
