@@ -168,6 +168,11 @@ namespace Tribody
             iterate.nodal_force.lpNorm<1>();
           report.residual = std::max(relative_gap(iterate), imbalance);
 
+          // Unless the force passes through it, the pin would roll off it.
+          if (iterate.active_set.size() == 1 &&
+              report.residual > parameters.tolerance)
+            return failure(report, "one node does not hold the pin");
+
           ActiveSet active = next_active_set(iterate);
           if (active != iterate.active_set)
             {
@@ -209,18 +214,21 @@ namespace Tribody
       const Eigen::MatrixX3d yz = active_compliance.solve(right_hand_sides);
       const auto             m  = right_hand_sides.leftCols<2>();
       const auto             y  = yz.leftCols<2>();
-      Eigen::Matrix2d        stiffness = m.transpose() * y;
-      // One node alone does not hold the pin sideways.
-      stiffness.diagonal().array() += 1e-14 * stiffness.trace();
+      const Eigen::Matrix2d  stiffness = m.transpose() * y;
+      const Eigen::Matrix2d  balancing = invert_pin_stiffness(stiffness, n);
+      // A single node leaves the pin where it is sideways.
+      const Eigen::Matrix2d inverse =
+        (n == 1) ? balancing
+                 : Eigen::Matrix2d((stiffness + geometric).inverse());
       const Eigen::Vector2d step =
-        (stiffness + geometric).inverse() * (force + m.transpose() * yz.col(2));
+        inverse * (force + m.transpose() * yz.col(2));
 
       Eigen::VectorXd forces = y * step - yz.col(2);
       // The difference of two large terms balances the force to their rounding
       // only; what is missing is far less than a rounding of the pin's place.
       const Eigen::Vector2d balance =
         force - geometric * step - m.transpose() * forces;
-      forces += y * (stiffness.inverse() * balance);
+      forces += y * (balancing * balance);
       iterate.nodal_force.setZero();
       iterate.nodal_force(active) = forces;
       iterate.pin_centre += step;

@@ -205,7 +205,16 @@ check_extremes()
                  std::abs(s.nodal_force[7] / share - 1.) < 1e-2 &&
                  violation(s, bore, C, f) < 1e-10;
     }
-  std::cout << "tiny forces: right " << n_right << " of 4" << std::endl;
+  // Through a node: on that one alone, or on it and a neighbour that carries
+  // next to nothing.
+  for (const double force : {1e-12, 1e-8, 1e-4, 0.1})
+    {
+      const Eigen::Vector2d f = force * bore.positions.col(45).normalized();
+      const auto            s = solver.solve_force_controlled(f);
+      n_right += s.report.converged && violation(s, bore, C, f) < 1e-10 &&
+                 std::abs(s.nodal_force[45] / force - 1.) < 1e-3;
+    }
+  std::cout << "tiny forces: right " << n_right << " of 8" << std::endl;
 
   for (const double force : {1e6, 1e20})
     {
