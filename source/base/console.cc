@@ -19,7 +19,8 @@ namespace Tribody
 
 
 
-  void Console::open_log(const std::string &file_name)
+  void
+  Console::open_log(const std::string &file_name)
   {
     if (!writes)
       return;

@@ -5,7 +5,8 @@
 
 namespace Tribody
 {
-  void Material::add_parameters(dealii::ParameterHandler &prm)
+  void
+  Material::add_parameters(dealii::ParameterHandler &prm)
   {
     Parameters::add_quantity(prm,
                              "Young's modulus",
@@ -29,7 +30,8 @@ namespace Tribody
 
 
 
-  void Material::check() const
+  void
+  Material::check() const
   {
     const std::string path = "Material " + name + "/";
     AssertThrow(youngs_modulus > 0.,

@@ -27,7 +27,8 @@ namespace Tribody
 
 
 
-    std::vector<std::string> split_path(const std::string &path)
+    std::vector<std::string>
+    split_path(const std::string &path)
     {
       std::vector<std::string> parts;
       boost::algorithm::split(parts, path, boost::algorithm::is_any_of("/"));
@@ -39,8 +40,8 @@ namespace Tribody
 
 
     // Levenshtein's edit distance, ignoring case.
-    unsigned int edit_distance(const std::string &first,
-                               const std::string &second)
+    unsigned int
+    edit_distance(const std::string &first, const std::string &second)
     {
       const std::string a = boost::algorithm::to_lower_copy(first);
       const std::string b = boost::algorithm::to_lower_copy(second);
@@ -66,7 +67,8 @@ namespace Tribody
 
     // The declared parameters and subsections as a tree. ParameterHandler
     // shows it only by printing.
-    nlohmann::json declared_tree(dealii::ParameterHandler &prm)
+    nlohmann::json
+    declared_tree(dealii::ParameterHandler &prm)
     {
       std::stringstream stream;
       prm.print_parameters(stream, dealii::ParameterHandler::ShortJSON);
@@ -75,8 +77,8 @@ namespace Tribody
 
 
 
-    std::vector<std::string> keys(const nlohmann::json &tree,
-                                  const bool            subsections)
+    std::vector<std::string>
+    keys(const nlohmann::json &tree, const bool subsections)
     {
       std::vector<std::string> names;
       for (const auto &item : tree.items())
@@ -87,8 +89,9 @@ namespace Tribody
 
 
 
-    std::string suggestion(const std::string              &word,
-                           const std::vector<std::string> &candidates)
+    std::string
+    suggestion(const std::string              &word,
+               const std::vector<std::string> &candidates)
     {
       if (candidates.empty())
         return "nothing is valid here";
@@ -101,7 +104,8 @@ namespace Tribody
 
 
     // "Body crank" is valid once "crank" stands in the list "Bodies".
-    std::string list_hint(const std::string &subsection)
+    std::string
+    list_hint(const std::string &subsection)
     {
       const std::string kind = subsection.substr(0, subsection.find(' '));
       const std::map<std::string, std::string> lists = {{"Body", "Bodies"},
@@ -121,10 +125,11 @@ namespace Tribody
 
 
     // Throw ExcInput unless the assignment's place exists in the tree.
-    void check_declared(const nlohmann::json           &tree,
-                        const std::vector<std::string> &subsections,
-                        const std::string              &name,
-                        const std::string              &location)
+    void
+    check_declared(const nlohmann::json           &tree,
+                   const std::vector<std::string> &subsections,
+                   const std::string              &name,
+                   const std::string              &location)
     {
       const nlohmann::json *level = &tree;
       std::string           where = "the top level";
@@ -151,9 +156,10 @@ namespace Tribody
 
     // One line without comment and surplus blanks; a trailing backslash joins
     // the next line. Returns false at the end of the file.
-    bool read_logical_line(std::istream &stream,
-                           std::string  &line,
-                           unsigned int &line_number)
+    bool
+    read_logical_line(std::istream &stream,
+                      std::string  &line,
+                      unsigned int &line_number)
     {
       line.clear();
       std::string part;
@@ -179,8 +185,9 @@ namespace Tribody
 
 
 
-  std::string nearest_names(const std::string              &word,
-                            const std::vector<std::string> &candidates)
+  std::string
+  nearest_names(const std::string              &word,
+                const std::vector<std::string> &candidates)
   {
     // A third of the letters may be wrong: more is another word.
     const auto   limit = static_cast<unsigned int>(word.size() / 3 + 1);
@@ -212,8 +219,8 @@ namespace Tribody
 
 
 
-  void ParameterFile::read(const std::string &file_name,
-                           const unsigned int depth)
+  void
+  ParameterFile::read(const std::string &file_name, const unsigned int depth)
   {
     AssertThrow(depth < max_include_depth,
                 ExcInput("'" + file_name + "' is included by itself."));
@@ -287,7 +294,8 @@ namespace Tribody
 
 
 
-  void ParameterFile::add_override(const std::string &text)
+  void
+  ParameterFile::add_override(const std::string &text)
   {
     const auto equals = text.find('=');
     AssertThrow(equals != std::string::npos,
@@ -306,7 +314,8 @@ namespace Tribody
 
 
 
-  void ParameterFile::apply(dealii::ParameterHandler &prm) const
+  void
+  ParameterFile::apply(dealii::ParameterHandler &prm) const
   {
     const nlohmann::json tree = declared_tree(prm);
     for (const Assignment &assignment : assignments)
@@ -358,8 +367,9 @@ namespace Tribody
 
 
 
-  std::string ParameterFile::value(const std::string &path,
-                                   const std::string &default_value) const
+  std::string
+  ParameterFile::value(const std::string &path,
+                       const std::string &default_value) const
   {
     const Assignment *assignment = find(path);
     return assignment == nullptr ? default_value : assignment->value;
@@ -367,7 +377,8 @@ namespace Tribody
 
 
 
-  std::string ParameterFile::location(const std::string &path) const
+  std::string
+  ParameterFile::location(const std::string &path) const
   {
     const Assignment *assignment = find(path);
     return assignment == nullptr ? "default value" : assignment->location;

@@ -16,9 +16,10 @@ namespace Tribody
 {
   namespace
   {
-    std::string point_to_string(const dealii::Point<2> &point,
-                                const std::string      &si_unit,
-                                const std::string      &shown_unit)
+    std::string
+    point_to_string(const dealii::Point<2> &point,
+                    const std::string      &si_unit,
+                    const std::string      &shown_unit)
     {
       return Units::to_string(point[0], si_unit, shown_unit) + ", " +
              Units::to_string(point[1], si_unit, shown_unit);
@@ -26,8 +27,8 @@ namespace Tribody
 
 
 
-    dealii::Point<2> point_from_string(const std::string &text,
-                                       const std::string &si_unit)
+    dealii::Point<2>
+    point_from_string(const std::string &text, const std::string &si_unit)
     {
       const std::vector<double> values = Units::list_from_string(text, si_unit);
       AssertThrow(values.size() == 2,
@@ -40,7 +41,8 @@ namespace Tribody
 
 
 
-    void check_name(const std::string &name)
+    void
+    check_name(const std::string &name)
     {
       const bool valid =
         !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
@@ -56,12 +58,13 @@ namespace Tribody
 
 
 
-  void Parameters::add_quantity(dealii::ParameterHandler &prm,
-                                const std::string        &name,
-                                double                   &value,
-                                const std::string        &si_unit,
-                                const std::string        &documentation,
-                                const std::string        &shown_unit)
+  void
+  Parameters::add_quantity(dealii::ParameterHandler &prm,
+                           const std::string        &name,
+                           double                   &value,
+                           const std::string        &si_unit,
+                           const std::string        &documentation,
+                           const std::string        &shown_unit)
   {
     prm.declare_entry(name,
                       Units::to_string(value,
@@ -77,12 +80,13 @@ namespace Tribody
 
 
 
-  void Parameters::add_point(dealii::ParameterHandler &prm,
-                             const std::string        &name,
-                             dealii::Point<2>         &value,
-                             const std::string        &si_unit,
-                             const std::string        &documentation,
-                             const std::string        &shown_unit)
+  void
+  Parameters::add_point(dealii::ParameterHandler &prm,
+                        const std::string        &name,
+                        dealii::Point<2>         &value,
+                        const std::string        &si_unit,
+                        const std::string        &documentation,
+                        const std::string        &shown_unit)
   {
     prm.declare_entry(name,
                       point_to_string(value,
@@ -145,10 +149,11 @@ namespace Tribody
 
 
 
-  void Parameters::add_names(dealii::ParameterHandler &prm,
-                             const std::string        &name,
-                             std::vector<std::string> &value,
-                             const std::string        &documentation)
+  void
+  Parameters::add_names(dealii::ParameterHandler &prm,
+                        const std::string        &name,
+                        std::vector<std::string> &value,
+                        const std::string        &documentation)
   {
     prm.declare_entry(name,
                       boost::algorithm::join(value, ", "),
@@ -161,11 +166,12 @@ namespace Tribody
 
 
 
-  void Parameters::add_choice(dealii::ParameterHandler       &prm,
-                              const std::string              &name,
-                              std::string                    &value,
-                              const std::vector<std::string> &choices,
-                              const std::string              &documentation)
+  void
+  Parameters::add_choice(dealii::ParameterHandler       &prm,
+                         const std::string              &name,
+                         std::string                    &value,
+                         const std::vector<std::string> &choices,
+                         const std::string              &documentation)
   {
     prm.declare_entry(name,
                       value,
@@ -183,10 +189,11 @@ namespace Tribody
 
 
 
-  void Parameters::add_text(dealii::ParameterHandler &prm,
-                            const std::string        &name,
-                            std::string              &value,
-                            const std::string        &documentation)
+  void
+  Parameters::add_text(dealii::ParameterHandler &prm,
+                       const std::string        &name,
+                       std::string              &value,
+                       const std::string        &documentation)
   {
     prm.declare_entry(name, value, dealii::Patterns::Anything(), documentation);
     prm.add_action(name, [&value](const std::string &text) { value = text; });
@@ -194,12 +201,13 @@ namespace Tribody
 
 
 
-  void Parameters::add_integer(dealii::ParameterHandler &prm,
-                               const std::string        &name,
-                               unsigned int             &value,
-                               const std::string        &documentation,
-                               const unsigned int        minimum,
-                               const unsigned int        maximum)
+  void
+  Parameters::add_integer(dealii::ParameterHandler &prm,
+                          const std::string        &name,
+                          unsigned int             &value,
+                          const std::string        &documentation,
+                          const unsigned int        minimum,
+                          const unsigned int        maximum)
   {
     prm.declare_entry(name,
                       std::to_string(value),
@@ -224,10 +232,11 @@ namespace Tribody
 
 
 
-  void Parameters::add_flag(dealii::ParameterHandler &prm,
-                            const std::string        &name,
-                            bool                     &value,
-                            const std::string        &documentation)
+  void
+  Parameters::add_flag(dealii::ParameterHandler &prm,
+                       const std::string        &name,
+                       bool                     &value,
+                       const std::string        &documentation)
   {
     prm.declare_entry(name,
                       value ? "yes" : "no",
@@ -243,7 +252,8 @@ namespace Tribody
 
 
 
-  std::vector<std::string> split_names(const std::string &text)
+  std::vector<std::string>
+  split_names(const std::string &text)
   {
     std::vector<std::string> parts;
     boost::algorithm::split(parts, text, boost::algorithm::is_any_of(","));

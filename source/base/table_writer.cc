@@ -23,7 +23,8 @@ namespace Tribody
 
 
 
-  void TableWriter::write_row(const std::vector<double> &values)
+  void
+  TableWriter::write_row(const std::vector<double> &values)
   {
     Assert(values.size() == n_columns,
            dealii::ExcDimensionMismatch(values.size(), n_columns));

@@ -19,7 +19,8 @@ namespace Tribody
     using Unit       = std::unique_ptr<ut_unit, void (*)(ut_unit *)>;
     using UnitSystem = std::unique_ptr<ut_system, void (*)(ut_system *)>;
 
-    UnitSystem read_unit_system()
+    UnitSystem
+    read_unit_system()
     {
       // UDUNITS writes its complaints to stderr unless told otherwise.
       ut_set_error_message_handler(ut_ignore);
@@ -35,13 +36,15 @@ namespace Tribody
       return system;
     }
 
-    ut_system *unit_system()
+    ut_system *
+    unit_system()
     {
       static const UnitSystem system = read_unit_system();
       return system.get();
     }
 
-    Unit parse_unit(const std::string &text)
+    Unit
+    parse_unit(const std::string &text)
     {
       return Unit(ut_parse(unit_system(), text.c_str(), UT_ASCII), ut_free);
     }
@@ -49,7 +52,8 @@ namespace Tribody
     // Radians are dimensionless for UDUNITS, so "30 Hz" would pass for
     // "30 rad/s", wrong by 2 pi. Whether the definition of a unit contains the
     // radian tells them apart.
-    bool counts_angle(const ut_unit *unit)
+    bool
+    counts_angle(const ut_unit *unit)
     {
       char      buffer[256];
       const int length =
@@ -58,13 +62,15 @@ namespace Tribody
              std::string(buffer, length).find("rad") != std::string::npos;
     }
 
-    std::string example(const std::string &number, const std::string &si_unit)
+    std::string
+    example(const std::string &number, const std::string &si_unit)
     {
       return "'" + number + (si_unit.empty() ? "" : " " + si_unit) + "'";
     }
 
     // Convert with UDUNITS' own converter, which knows offsets and scales.
-    double convert(const double value, const ut_unit *from, const ut_unit *to)
+    double
+    convert(const double value, const ut_unit *from, const ut_unit *to)
     {
       const std::unique_ptr<cv_converter, void (*)(cv_converter *)> converter(
         ut_get_converter(const_cast<ut_unit *>(from),
@@ -76,7 +82,8 @@ namespace Tribody
 
 
 
-  double Units::from_string(const std::string &text, const std::string &si_unit)
+  double
+  Units::from_string(const std::string &text, const std::string &si_unit)
   {
     const std::string trimmed = boost::algorithm::trim_copy(text);
 
@@ -126,8 +133,8 @@ namespace Tribody
 
 
 
-  std::vector<double> Units::list_from_string(const std::string &text,
-                                              const std::string &si_unit)
+  std::vector<double>
+  Units::list_from_string(const std::string &text, const std::string &si_unit)
   {
     std::vector<std::string> parts;
     boost::algorithm::split(parts, text, boost::algorithm::is_any_of(","));
@@ -140,9 +147,10 @@ namespace Tribody
 
 
 
-  std::string Units::to_string(const double       value,
-                               const std::string &si_unit,
-                               const std::string &shown_unit)
+  std::string
+  Units::to_string(const double       value,
+                   const std::string &si_unit,
+                   const std::string &shown_unit)
   {
     double shown = value;
     if (!si_unit.empty() && shown_unit != si_unit)

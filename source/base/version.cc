@@ -9,21 +9,24 @@
 
 namespace Tribody
 {
-  std::string program_version()
+  std::string
+  program_version()
   {
     return TRIBODY_VERSION;
   }
 
 
 
-  std::string program_revision()
+  std::string
+  program_revision()
   {
     return TRIBODY_REVISION;
   }
 
 
 
-  std::string library_versions()
+  std::string
+  library_versions()
   {
     return "deal.II " DEAL_II_PACKAGE_VERSION ", Trilinos " +
            std::to_string(DEAL_II_TRILINOS_VERSION_MAJOR) + "." +

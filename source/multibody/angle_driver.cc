@@ -15,15 +15,16 @@ namespace Tribody
 
 
 
-    Eigen::Vector2d AngleDriver::value(const double      t,
-                                       const PairVector &q) const
+    Eigen::Vector2d
+    AngleDriver::value(const double t, const PairVector &q) const
     {
       return {q(2) - q(5) - initial_angle - speed * t, 0.};
     }
 
 
 
-    Constraint::Jacobian AngleDriver::jacobian(const PairVector & /*q*/) const
+    Constraint::Jacobian
+    AngleDriver::jacobian(const PairVector & /*q*/) const
     {
       Jacobian result = Jacobian::Zero();
       result(0, 2)    = 1.;
@@ -42,7 +43,8 @@ namespace Tribody
 
 
 
-    Eigen::Vector2d AngleDriver::time_derivative(const double /*t*/) const
+    Eigen::Vector2d
+    AngleDriver::time_derivative(const double /*t*/) const
     {
       return {-speed, 0.};
     }

@@ -6,7 +6,8 @@ namespace Tribody
 {
   namespace Multibody
   {
-    void GroundParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    GroundParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_named_points(
         prm,
@@ -20,7 +21,8 @@ namespace Tribody
 
 
 
-    void BodyParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    BodyParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_quantity(prm, "Mass", mass, "kg", "Mass of the body.");
       Parameters::add_quantity(prm,
@@ -56,7 +58,8 @@ namespace Tribody
 
 
 
-    void BodyParameters::check() const
+    void
+    BodyParameters::check() const
     {
       const std::string path = "Body " + name;
       AssertThrow(name != "ground",

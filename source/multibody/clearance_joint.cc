@@ -19,7 +19,8 @@ namespace Tribody
       constexpr double smallest_eccentricity =
         std::numeric_limits<double>::min();
 
-      Row unit(const int k)
+      Row
+      unit(const int k)
       {
         Row result = Row::Zero();
         result(k)  = 1.;
@@ -88,8 +89,9 @@ namespace Tribody
 
 
 
-    PairVector ClearanceJoint::compute_force(const PairVector   &q,
-                                             const JointContact &contact) const
+    PairVector
+    ClearanceJoint::compute_force(const PairVector   &q,
+                                  const JointContact &contact) const
     {
       const Eigen::Vector2d a1 = turned(s_1, q(2)), a2 = turned(s_2, q(5));
       const Eigen::Vector2d b = contact.force();
@@ -104,7 +106,8 @@ namespace Tribody
 
 
 
-    PairForce ClearanceJoint::compute_force_with_derivatives(
+    PairForce
+    ClearanceJoint::compute_force_with_derivatives(
       const PairVector       &q,
       const PairVector       &v,
       const ClearanceProfile &clearance,

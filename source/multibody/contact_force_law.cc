@@ -9,7 +9,8 @@ namespace Tribody
 {
   namespace Multibody
   {
-    NormalForce HertzLaw::normal_force(const ContactKinematics &contact) const
+    NormalForce
+    HertzLaw::normal_force(const ContactKinematics &contact) const
     {
       if (contact.penetration <= 0)
         return {};
@@ -37,14 +38,16 @@ namespace Tribody
 
 
 
-    std::vector<std::string> contact_force_law_names()
+    std::vector<std::string>
+    contact_force_law_names()
     {
       return {"Hertz", "Lankarani-Nikravesh"};
     }
 
 
 
-    ContactForceLaw make_contact_force_law(const JointParameters &joint)
+    ContactForceLaw
+    make_contact_force_law(const JointParameters &joint)
     {
       const double stiffness = compute_hertz_stiffness(joint.pin_radius,
                                                        joint.bushing_radius,
@@ -63,8 +66,9 @@ namespace Tribody
 
 
 
-    NormalForce compute_normal_force(const ContactForceLaw   &law,
-                                     const ContactKinematics &contact)
+    NormalForce
+    compute_normal_force(const ContactForceLaw   &law,
+                         const ContactKinematics &contact)
     {
       return std::visit(
         [&](const auto &chosen) { return chosen.normal_force(contact); }, law);
@@ -72,10 +76,11 @@ namespace Tribody
 
 
 
-    double compute_penetration(const ContactForceLaw &law,
-                               const double           normal_force,
-                               const double           penetration_rate,
-                               const double           approach_speed)
+    double
+    compute_penetration(const ContactForceLaw &law,
+                        const double           normal_force,
+                        const double           penetration_rate,
+                        const double           approach_speed)
     {
       const auto force = [&](const double penetration) {
         return compute_normal_force(
@@ -101,10 +106,11 @@ namespace Tribody
 
 
 
-    double compute_hertz_stiffness(const double    pin_radius,
-                                   const double    bushing_radius,
-                                   const Material &pin,
-                                   const Material &bushing)
+    double
+    compute_hertz_stiffness(const double    pin_radius,
+                            const double    bushing_radius,
+                            const Material &pin,
+                            const Material &bushing)
     {
       const auto compliance = [](const Material &material) {
         return (1 - material.poissons_ratio * material.poissons_ratio) /

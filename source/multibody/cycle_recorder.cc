@@ -15,7 +15,8 @@ namespace Tribody
     namespace
     {
       // In [0, 2 pi).
-      double wrapped(const double angle)
+      double
+      wrapped(const double angle)
       {
         return angle - 2 * M_PI * std::floor(angle / (2 * M_PI));
       }
@@ -48,8 +49,8 @@ namespace Tribody
 
 
 
-    void CycleRecorder::record(const unsigned int    k,
-                               const MechanismState &state)
+    void
+    CycleRecorder::record(const unsigned int k, const MechanismState &state)
     {
       if (k == 0)
         drift = 0.;
@@ -71,8 +72,9 @@ namespace Tribody
 
 
 
-    void CycleRecorder::record_forces(const unsigned int    k,
-                                      const MechanismState &state)
+    void
+    CycleRecorder::record_forces(const unsigned int    k,
+                                 const MechanismState &state)
     {
       const Mechanism &mechanism = equations.mechanism();
       Eigen::VectorXd  applied(mechanism.n_coordinates());
@@ -107,7 +109,8 @@ namespace Tribody
 
 
 
-    double CycleRecorder::difference(const CycleRecorder &other) const
+    double
+    CycleRecorder::difference(const CycleRecorder &other) const
     {
       // Without the first record, which the cycle before has as its last: the
       // very first cycle begins half an interval late and has none.
@@ -130,8 +133,9 @@ namespace Tribody
 
 
 
-    void CycleRecorder::fill_contact(const unsigned int joint,
-                                     JointDutyCycle    &result) const
+    void
+    CycleRecorder::fill_contact(const unsigned int joint,
+                                JointDutyCycle    &result) const
     {
       const unsigned int index = equations.mechanism().joints()[joint].index;
       for (unsigned int s = 0; s < n_samples; ++s)
@@ -150,8 +154,9 @@ namespace Tribody
 
 
 
-    void CycleRecorder::fill_ideal(const unsigned int joint,
-                                   JointDutyCycle    &result) const
+    void
+    CycleRecorder::fill_ideal(const unsigned int joint,
+                              JointDutyCycle    &result) const
     {
       const BodyPair &bodies = equations.mechanism().joints()[joint].bodies;
       for (unsigned int s = 0; s < n_samples; ++s)
@@ -169,8 +174,9 @@ namespace Tribody
 
 
 
-    void CycleRecorder::fill_sliding(const unsigned int joint,
-                                     JointDutyCycle    &result) const
+    void
+    CycleRecorder::fill_sliding(const unsigned int joint,
+                                JointDutyCycle    &result) const
     {
       const JointEntry &entry = equations.mechanism().joints()[joint];
       const auto        alpha = [&](const unsigned int k) {
@@ -187,9 +193,10 @@ namespace Tribody
 
 
 
-    void CycleRecorder::fill_events(const unsigned int               joint,
-                                    const std::vector<ContactEvent> &events,
-                                    JointDutyCycle &result) const
+    void
+    CycleRecorder::fill_events(const unsigned int               joint,
+                               const std::vector<ContactEvent> &events,
+                               JointDutyCycle                  &result) const
     {
       const unsigned int index    = equations.mechanism().joints()[joint].index;
       const double       interval = period / n_samples;
@@ -218,7 +225,8 @@ namespace Tribody
 
 
 
-    double CycleRecorder::compute_ringing(const unsigned int joint) const
+    double
+    CycleRecorder::compute_ringing(const unsigned int joint) const
     {
       const auto   f       = forces.middleRows(2 * joint, 2);
       const double peak    = f.colwise().norm().maxCoeff();
@@ -234,7 +242,8 @@ namespace Tribody
 
 
 
-    DutyCycle CycleRecorder::make_duty_cycle(
+    DutyCycle
+    CycleRecorder::make_duty_cycle(
       const std::vector<ContactEvent> &events) const
     {
       const auto at_samples = [this](const Eigen::MatrixXd &records) {

@@ -33,7 +33,8 @@ namespace Tribody
 
 
 
-    DutyCycle CycleSimulation::run(
+    DutyCycle
+    CycleSimulation::run(
       const std::map<std::string, ClearanceProfile> &clearances) const
     {
       const EquationsOfMotion equations(mechanism,
@@ -44,7 +45,8 @@ namespace Tribody
 
 
 
-    std::vector<ClearanceProfile> CycleSimulation::collect_clearances(
+    std::vector<ClearanceProfile>
+    CycleSimulation::collect_clearances(
       const std::map<std::string, ClearanceProfile> &by_name) const
     {
       std::vector<ClearanceProfile> clearances = nominal_clearances(mechanism);

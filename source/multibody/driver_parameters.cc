@@ -6,7 +6,8 @@ namespace Tribody
 {
   namespace Multibody
   {
-    void DriverParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    DriverParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_text(prm, "Body", body, "The body that the motor turns.");
       Parameters::add_text(prm,
@@ -33,7 +34,8 @@ namespace Tribody
 
 
 
-    void DriverParameters::check() const
+    void
+    DriverParameters::check() const
     {
       AssertThrow(body != reference_body,
                   ExcParameter("Driver " + name + "/Reference body",

@@ -8,28 +8,32 @@ namespace Tribody
 {
   namespace Multibody
   {
-    Eigen::VectorXd JointDutyCycle::force() const
+    Eigen::VectorXd
+    JointDutyCycle::force() const
     {
       return (force_x.array().square() + force_y.array().square()).sqrt();
     }
 
 
 
-    double JointDutyCycle::peak_force() const
+    double
+    JointDutyCycle::peak_force() const
     {
       return force().maxCoeff();
     }
 
 
 
-    double JointDutyCycle::mean_force() const
+    double
+    JointDutyCycle::mean_force() const
     {
       return force().mean();
     }
 
 
 
-    double JointDutyCycle::mean_normal_force() const
+    double
+    JointDutyCycle::mean_normal_force() const
     {
       const double distance = sliding_distance();
       return distance > 0 ? normal_force.dot(sliding_increment) / distance
@@ -38,14 +42,16 @@ namespace Tribody
 
 
 
-    double JointDutyCycle::sliding_distance() const
+    double
+    JointDutyCycle::sliding_distance() const
     {
       return sliding_increment.sum();
     }
 
 
 
-    double JointDutyCycle::share_of(const ContactState wanted) const
+    double
+    JointDutyCycle::share_of(const ContactState wanted) const
     {
       return static_cast<double>(
                std::count(state.begin(), state.end(), wanted)) /
@@ -54,7 +60,8 @@ namespace Tribody
 
 
 
-    const JointDutyCycle &DutyCycle::joint(const std::string &name) const
+    const JointDutyCycle &
+    DutyCycle::joint(const std::string &name) const
     {
       const auto found = std::find_if(joints.begin(),
                                       joints.end(),

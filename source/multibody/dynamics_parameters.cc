@@ -6,7 +6,8 @@ namespace Tribody
 {
   namespace Multibody
   {
-    void DynamicsParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    DynamicsParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_quantity(
         prm,
@@ -70,7 +71,8 @@ namespace Tribody
 
 
 
-    void DynamicsParameters::check() const
+    void
+    DynamicsParameters::check() const
     {
       AssertThrow(accuracy > 1e-12 && accuracy <= 0.1,
                   ExcParameter("Dynamics/Accuracy",

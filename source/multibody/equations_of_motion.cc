@@ -19,9 +19,10 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::assemble_constraints(const double t,
-                                                 ConstVector  q,
-                                                 Vector       phi) const
+    void
+    EquationsOfMotion::assemble_constraints(const double t,
+                                            ConstVector  q,
+                                            Vector       phi) const
     {
       for (const auto &[element, row] : system.constraints())
         phi.segment(row, element->n_equations) =
@@ -31,8 +32,9 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::assemble_constraint_jacobian(ConstVector q,
-                                                         Matrix phi_q) const
+    void
+    EquationsOfMotion::assemble_constraint_jacobian(ConstVector q,
+                                                    Matrix      phi_q) const
     {
       phi_q.setZero();
       for (const auto &[element, row] : system.constraints())
@@ -50,9 +52,10 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::assemble_time_derivatives(const double t,
-                                                      Vector       phi_t,
-                                                      Vector       phi_tt) const
+    void
+    EquationsOfMotion::assemble_time_derivatives(const double t,
+                                                 Vector       phi_t,
+                                                 Vector       phi_tt) const
     {
       for (const auto &[element, row] : system.constraints())
         {
@@ -64,9 +67,10 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::assemble_quadratic_terms(ConstVector q,
-                                                     ConstVector v,
-                                                     Vector quadratic) const
+    void
+    EquationsOfMotion::assemble_quadratic_terms(ConstVector q,
+                                                ConstVector v,
+                                                Vector      quadratic) const
     {
       for (const auto &[element, row] : system.constraints())
         {
@@ -81,10 +85,11 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::add_multiplier_derivative(ConstVector  q,
-                                                      ConstVector  multipliers,
-                                                      const double factor,
-                                                      Matrix       matrix) const
+    void
+    EquationsOfMotion::add_multiplier_derivative(ConstVector  q,
+                                                 ConstVector  multipliers,
+                                                 const double factor,
+                                                 Matrix       matrix) const
     {
       for (const auto &[element, row] : system.constraints())
         {
@@ -99,9 +104,10 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::add_velocity_derivative(ConstVector q,
-                                                    ConstVector v,
-                                                    Matrix      matrix) const
+    void
+    EquationsOfMotion::add_velocity_derivative(ConstVector q,
+                                               ConstVector v,
+                                               Matrix      matrix) const
     {
       for (const auto &[element, row] : system.constraints())
         {
@@ -123,7 +129,8 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::assemble_forces(
+    void
+    EquationsOfMotion::assemble_forces(
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
@@ -148,7 +155,8 @@ namespace Tribody
 
 
 
-    void EquationsOfMotion::subtract_force_derivatives(
+    void
+    EquationsOfMotion::subtract_force_derivatives(
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
@@ -176,8 +184,9 @@ namespace Tribody
 
 
 
-    double EquationsOfMotion::compute_penetration(const unsigned int joint,
-                                                  ConstVector        q) const
+    double
+    EquationsOfMotion::compute_penetration(const unsigned int joint,
+                                           ConstVector        q) const
     {
       const ClearanceJoint &j = system.clearance_joints()[joint];
       return j.compute_penetration(j.bodies.gather(q), clearances[joint]);
@@ -200,7 +209,8 @@ namespace Tribody
 
 
 
-    Energy EquationsOfMotion::compute_energy(ConstVector q, ConstVector v) const
+    Energy
+    EquationsOfMotion::compute_energy(ConstVector q, ConstVector v) const
     {
       Energy energy = {v.dot(system.masses().cwiseProduct(v)) / 2,
                        -system.weights().dot(q)};
@@ -211,7 +221,8 @@ namespace Tribody
 
 
 
-    std::vector<ClearanceProfile> nominal_clearances(const Mechanism &mechanism)
+    std::vector<ClearanceProfile>
+    nominal_clearances(const Mechanism &mechanism)
     {
       std::vector<ClearanceProfile> clearances;
       for (const ClearanceJoint &joint : mechanism.clearance_joints())

@@ -8,7 +8,8 @@ namespace Tribody
 {
   namespace Multibody
   {
-    FrictionRatio NoFriction::ratio(const double /*sliding_speed*/) const
+    FrictionRatio
+    NoFriction::ratio(const double /*sliding_speed*/) const
     {
       return {};
     }
@@ -25,14 +26,16 @@ namespace Tribody
 
 
 
-    std::vector<std::string> friction_law_names()
+    std::vector<std::string>
+    friction_law_names()
     {
       return {"none", "Coulomb regularised"};
     }
 
 
 
-    FrictionLaw make_friction_law(const JointParameters &joint)
+    FrictionLaw
+    make_friction_law(const JointParameters &joint)
     {
       if (joint.friction_law == "none")
         return NoFriction{};
@@ -47,8 +50,8 @@ namespace Tribody
 
 
 
-    FrictionRatio compute_friction_ratio(const FrictionLaw &law,
-                                         const double       sliding_speed)
+    FrictionRatio
+    compute_friction_ratio(const FrictionLaw &law, const double sliding_speed)
     {
       return std::visit(
         [&](const auto &chosen) { return chosen.ratio(sliding_speed); }, law);

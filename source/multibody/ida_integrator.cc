@@ -21,9 +21,11 @@ namespace Tribody
       ~Memory();
 
       // Throw what a callback threw, or translate IDA's return code.
-      void check(const int flag, const std::string &what);
+      void
+      check(const int flag, const std::string &what);
 
-      IntegratorStatistics statistics_of_this_run() const;
+      IntegratorStatistics
+      statistics_of_this_run() const;
 
       ImplicitSystem       system;
       IdaSettings          settings;
@@ -52,7 +54,8 @@ namespace Tribody
       // Exceptions must not pass through C. Anything that is caught here is
       // kept, and IDA told to give up.
       template <typename Function>
-      int guarded(std::exception_ptr &exception, const Function &function)
+      int
+      guarded(std::exception_ptr &exception, const Function &function)
       {
         try
           {
@@ -67,7 +70,8 @@ namespace Tribody
 
 
 
-      Eigen::Map<const Eigen::VectorXd> const_view(const N_Vector x)
+      Eigen::Map<const Eigen::VectorXd>
+      const_view(const N_Vector x)
       {
         return {N_VGetArrayPointer(x),
                 static_cast<Eigen::Index>(N_VGetLength(x))};
@@ -75,7 +79,8 @@ namespace Tribody
 
 
 
-      Eigen::Map<Eigen::VectorXd> view(const N_Vector x)
+      Eigen::Map<Eigen::VectorXd>
+      view(const N_Vector x)
       {
         return {N_VGetArrayPointer(x),
                 static_cast<Eigen::Index>(N_VGetLength(x))};
@@ -84,11 +89,12 @@ namespace Tribody
 
 
       template <typename Memory>
-      int residual_callback(realtype t,
-                            N_Vector y,
-                            N_Vector y_t,
-                            N_Vector r,
-                            void    *data)
+      int
+      residual_callback(realtype t,
+                        N_Vector y,
+                        N_Vector y_t,
+                        N_Vector r,
+                        void    *data)
       {
         Memory &memory = *static_cast<Memory *>(data);
         return guarded(memory.exception, [&]() {
@@ -102,16 +108,17 @@ namespace Tribody
 
 
       template <typename Memory>
-      int jacobian_callback(realtype t,
-                            realtype c,
-                            N_Vector y,
-                            N_Vector y_t,
-                            N_Vector /*r*/,
-                            SUNMatrix matrix,
-                            void     *data,
-                            N_Vector,
-                            N_Vector,
-                            N_Vector)
+      int
+      jacobian_callback(realtype t,
+                        realtype c,
+                        N_Vector y,
+                        N_Vector y_t,
+                        N_Vector /*r*/,
+                        SUNMatrix matrix,
+                        void     *data,
+                        N_Vector,
+                        N_Vector,
+                        N_Vector)
       {
         Memory &memory = *static_cast<Memory *>(data);
         return guarded(memory.exception, [&]() {
@@ -127,11 +134,12 @@ namespace Tribody
 
 
       template <typename Memory>
-      int root_callback(realtype t,
-                        N_Vector y,
-                        N_Vector /*y_t*/,
-                        realtype *values,
-                        void     *data)
+      int
+      root_callback(realtype t,
+                    N_Vector y,
+                    N_Vector /*y_t*/,
+                    realtype *values,
+                    void     *data)
       {
         Memory &memory = *static_cast<Memory *>(data);
         return guarded(memory.exception, [&]() {
@@ -143,7 +151,8 @@ namespace Tribody
 
 
       // We report errors ourselves, once, with what to do about them.
-      void silent_error_handler(int, const char *, const char *, char *, void *)
+      void
+      silent_error_handler(int, const char *, const char *, char *, void *)
       {}
     } // namespace
 
@@ -195,7 +204,8 @@ namespace Tribody
 
 
 
-    void IdaIntegrator::Memory::check(const int flag, const std::string &what)
+    void
+    IdaIntegrator::Memory::check(const int flag, const std::string &what)
     {
       if (exception)
         std::rethrow_exception(std::exchange(exception, nullptr));
@@ -215,7 +225,8 @@ namespace Tribody
 
 
 
-    IntegratorStatistics IdaIntegrator::Memory::statistics_of_this_run() const
+    IntegratorStatistics
+    IdaIntegrator::Memory::statistics_of_this_run() const
     {
       if (!is_started)
         return {};
@@ -294,9 +305,10 @@ namespace Tribody
 
 
 
-    void IdaIntegrator::start(const double           t,
-                              const Eigen::VectorXd &y,
-                              const Eigen::VectorXd &y_t)
+    void
+    IdaIntegrator::start(const double           t,
+                         const Eigen::VectorXd &y,
+                         const Eigen::VectorXd &y_t)
     {
       memory->previous_runs += memory->statistics_of_this_run();
       memory->time = t;
@@ -311,7 +323,8 @@ namespace Tribody
 
 
 
-    const std::vector<int> &IdaIntegrator::step(const double direction)
+    const std::vector<int> &
+    IdaIntegrator::step(const double direction)
     {
       const int flag = IDASolve(memory->ida,
                                 direction,
@@ -330,21 +343,24 @@ namespace Tribody
 
 
 
-    double IdaIntegrator::time() const
+    double
+    IdaIntegrator::time() const
     {
       return memory->time;
     }
 
 
 
-    const Eigen::VectorXd &IdaIntegrator::solution() const
+    const Eigen::VectorXd &
+    IdaIntegrator::solution() const
     {
       return memory->y;
     }
 
 
 
-    void IdaIntegrator::interpolate(const double t, Eigen::VectorXd &y) const
+    void
+    IdaIntegrator::interpolate(const double t, Eigen::VectorXd &y) const
     {
       y.resize(memory->y.size());
       N_Vector  nv   = N_VMake_Serial(y.size(), y.data(), memory->context);
@@ -355,7 +371,8 @@ namespace Tribody
 
 
 
-    IntegratorStatistics IdaIntegrator::statistics() const
+    IntegratorStatistics
+    IdaIntegrator::statistics() const
     {
       IntegratorStatistics total = memory->previous_runs;
       total += memory->statistics_of_this_run();

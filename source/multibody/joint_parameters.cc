@@ -12,8 +12,8 @@ namespace Tribody
     namespace
     {
       // One function per group of entries, in the order of the manual.
-      void add_markers_and_radii(dealii::ParameterHandler &prm,
-                                 JointParameters          &p)
+      void
+      add_markers_and_radii(dealii::ParameterHandler &prm, JointParameters &p)
       {
         Parameters::add_text(prm,
                              "Pin marker",
@@ -55,7 +55,8 @@ namespace Tribody
 
 
 
-      void add_contact(dealii::ParameterHandler &prm, JointParameters &p)
+      void
+      add_contact(dealii::ParameterHandler &prm, JointParameters &p)
       {
         Parameters::add_choice(
           prm,
@@ -111,7 +112,8 @@ namespace Tribody
 
 
 
-      void add_translational(dealii::ParameterHandler &prm, JointParameters &p)
+      void
+      add_translational(dealii::ParameterHandler &prm, JointParameters &p)
       {
         Parameters::add_text(prm,
                              "First marker",
@@ -142,8 +144,8 @@ namespace Tribody
 
 
 
-      void check_clearance_joint(const std::string     &path,
-                                 const JointParameters &p)
+      void
+      check_clearance_joint(const std::string &path, const JointParameters &p)
       {
         AssertThrow(p.pin_radius > 0,
                     ExcParameter(path + "/Pin radius",
@@ -192,7 +194,8 @@ namespace Tribody
 
 
 
-    void JointParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    JointParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_choice(prm,
                              "Type",
@@ -209,7 +212,8 @@ namespace Tribody
 
 
 
-    void JointParameters::check() const
+    void
+    JointParameters::check() const
     {
       // Radii and laws of an ideal joint are not used: nothing to check.
       if (has_clearance())

@@ -18,8 +18,9 @@ namespace Tribody
     {
       // Phi_q in units of the mechanism's size: columns of angles divided by
       // it, so that a turn counts as the way that it moves a point.
-      Eigen::MatrixXd scaled_jacobian(const EquationsOfMotion &equations,
-                                      const Eigen::VectorXd   &q)
+      Eigen::MatrixXd
+      scaled_jacobian(const EquationsOfMotion &equations,
+                      const Eigen::VectorXd   &q)
       {
         const Mechanism &mechanism = equations.mechanism();
         Eigen::MatrixXd  jacobian(mechanism.n_constraints(),
@@ -33,9 +34,10 @@ namespace Tribody
 
 
       // The shortest x with Phi_q x = right_hand_side, or the best one.
-      Eigen::VectorXd solve_least_norm(const EquationsOfMotion &equations,
-                                       const Eigen::VectorXd   &q,
-                                       const Eigen::VectorXd   &right_hand_side)
+      Eigen::VectorXd
+      solve_least_norm(const EquationsOfMotion &equations,
+                       const Eigen::VectorXd   &q,
+                       const Eigen::VectorXd   &right_hand_side)
       {
         const Mechanism &mechanism = equations.mechanism();
         if (mechanism.n_constraints() == 0)
@@ -60,10 +62,11 @@ namespace Tribody
 
 
 
-    SolverReport solve_positions(const EquationsOfMotion &equations,
-                                 const double             t,
-                                 const ConstraintOffsets &offsets,
-                                 Eigen::VectorXd         &q)
+    SolverReport
+    solve_positions(const EquationsOfMotion &equations,
+                    const double             t,
+                    const ConstraintOffsets &offsets,
+                    Eigen::VectorXd         &q)
     {
       const Mechanism &mechanism = equations.mechanism();
       SolverReport     report;
@@ -98,10 +101,11 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd compute_velocities(const EquationsOfMotion &equations,
-                                       const double             t,
-                                       const ConstraintOffsets &offsets,
-                                       const Eigen::VectorXd   &q)
+    Eigen::VectorXd
+    compute_velocities(const EquationsOfMotion &equations,
+                       const double             t,
+                       const ConstraintOffsets &offsets,
+                       const Eigen::VectorXd   &q)
     {
       const unsigned int m = equations.mechanism().n_constraints();
       Eigen::VectorXd    phi_t(m), phi_tt(m);
@@ -111,12 +115,13 @@ namespace Tribody
 
 
 
-    Accelerations compute_accelerations(const EquationsOfMotion &equations,
-                                        const double             t,
-                                        const ConstraintOffsets &offsets,
-                                        const Eigen::VectorXd   &q,
-                                        const Eigen::VectorXd   &v,
-                                        const Eigen::VectorXd   &forces)
+    Accelerations
+    compute_accelerations(const EquationsOfMotion &equations,
+                          const double             t,
+                          const ConstraintOffsets &offsets,
+                          const Eigen::VectorXd   &q,
+                          const Eigen::VectorXd   &v,
+                          const Eigen::VectorXd   &forces)
     {
       const Mechanism   &mechanism = equations.mechanism();
       const unsigned int n         = mechanism.n_coordinates();
@@ -138,11 +143,12 @@ namespace Tribody
 
 
 
-    Motion solve_motion(const EquationsOfMotion &equations,
-                        const double             t,
-                        const ConstraintOffsets &offsets,
-                        const Eigen::VectorXd   &extra_forces,
-                        const Eigen::VectorXd   &q_guess)
+    Motion
+    solve_motion(const EquationsOfMotion &equations,
+                 const double             t,
+                 const ConstraintOffsets &offsets,
+                 const Eigen::VectorXd   &extra_forces,
+                 const Eigen::VectorXd   &q_guess)
     {
       Motion motion;
       motion.q = q_guess;
@@ -167,8 +173,8 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd assemble_configuration(const EquationsOfMotion &equations,
-                                           const double             t)
+    Eigen::VectorXd
+    assemble_configuration(const EquationsOfMotion &equations, const double t)
     {
       const Mechanism        &mechanism = equations.mechanism();
       const ConstraintOffsets none(mechanism.n_constraints());
@@ -203,8 +209,9 @@ namespace Tribody
 
 
 
-    void check_redundancy(const EquationsOfMotion &equations,
-                          const Eigen::VectorXd   &q)
+    void
+    check_redundancy(const EquationsOfMotion &equations,
+                     const Eigen::VectorXd   &q)
     {
       const Mechanism   &mechanism = equations.mechanism();
       const unsigned int m         = mechanism.n_constraints();

@@ -13,7 +13,8 @@ namespace Tribody
   {
     namespace
     {
-      Eigen::Vector2d to_eigen(const dealii::Point<2> &p)
+      Eigen::Vector2d
+      to_eigen(const dealii::Point<2> &p)
       {
         return {p[0], p[1]};
       }
@@ -36,7 +37,8 @@ namespace Tribody
 
 
 
-    double Mechanism::period() const
+    double
+    Mechanism::period() const
     {
       AssertThrow(!the_parameters.drivers.empty(),
                   ExcParameter("Drivers",
@@ -52,8 +54,8 @@ namespace Tribody
 
 
 
-    int Mechanism::find_body(const std::string &path,
-                             const std::string &name) const
+    int
+    Mechanism::find_body(const std::string &path, const std::string &name) const
     {
       if (name == "ground")
         return ground_body;
@@ -76,8 +78,9 @@ namespace Tribody
 
 
 
-    Marker Mechanism::find_marker(const std::string &path,
-                                  const std::string &name) const
+    Marker
+    Mechanism::find_marker(const std::string &path,
+                           const std::string &name) const
     {
       const std::string::size_type dot = name.find('.');
       AssertThrow(dot != std::string::npos,
@@ -103,7 +106,8 @@ namespace Tribody
 
 
 
-    void Mechanism::add_bodies()
+    void
+    Mechanism::add_bodies()
     {
       the_masses.resize(n_coordinates());
       the_weights.resize(n_coordinates());
@@ -128,7 +132,8 @@ namespace Tribody
 
 
 
-    void Mechanism::add_joint(const JointParameters &joint)
+    void
+    Mechanism::add_joint(const JointParameters &joint)
     {
       const std::string path  = "Joint " + joint.name;
       JointEntry        entry = {joint.name,
@@ -170,9 +175,10 @@ namespace Tribody
 
 
 
-    void Mechanism::add_clearance_joint(const JointParameters &joint,
-                                        const Marker          &pin,
-                                        const Marker          &bushing)
+    void
+    Mechanism::add_clearance_joint(const JointParameters &joint,
+                                   const Marker          &pin,
+                                   const Marker          &bushing)
     {
       the_clearance_joints.push_back({joint.name,
                                       {pin.body, bushing.body},
@@ -188,7 +194,8 @@ namespace Tribody
 
 
 
-    void Mechanism::add_constraint(
+    void
+    Mechanism::add_constraint(
       const std::shared_ptr<const Constraint> &constraint)
     {
       the_constraints.push_back({constraint, n_equations});
@@ -197,7 +204,8 @@ namespace Tribody
 
 
 
-    void Mechanism::add_spring(const SpringParameters &spring)
+    void
+    Mechanism::add_spring(const SpringParameters &spring)
     {
       const std::string path = "Spring " + spring.name;
       const Marker      first =
@@ -215,7 +223,8 @@ namespace Tribody
 
 
 
-    void Mechanism::add_driver(const DriverParameters &driver)
+    void
+    Mechanism::add_driver(const DriverParameters &driver)
     {
       const std::string path   = "Driver " + driver.name;
       const BodyPair    bodies = {find_body(path + "/Body", driver.body),

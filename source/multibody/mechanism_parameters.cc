@@ -10,8 +10,8 @@ namespace Tribody
     namespace
     {
       template <typename Entry>
-      void check_entries(const std::vector<Entry> &entries,
-                         const std::string        &list)
+      void
+      check_entries(const std::vector<Entry> &entries, const std::string &list)
       {
         std::set<std::string> names;
         for (const Entry &entry : entries)
@@ -27,7 +27,8 @@ namespace Tribody
 
 
 
-    void MechanismParameters::check() const
+    void
+    MechanismParameters::check() const
     {
       AssertThrow(!bodies.empty(),
                   ExcParameter("Bodies",
@@ -40,7 +41,8 @@ namespace Tribody
 
 
 
-    MechanismParameters with_ideal_joints(const MechanismParameters &parameters)
+    MechanismParameters
+    with_ideal_joints(const MechanismParameters &parameters)
     {
       MechanismParameters ideal = parameters;
       for (JointParameters &joint : ideal.joints)

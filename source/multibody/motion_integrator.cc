@@ -30,7 +30,8 @@ namespace Tribody
 
 
 
-    ImplicitSystem MotionIntegrator::make_system()
+    ImplicitSystem
+    MotionIntegrator::make_system()
     {
       ImplicitSystem system;
       system.residual = [this](const double                       t,
@@ -151,7 +152,8 @@ namespace Tribody
 
 
 
-    void MotionIntegrator::start(const MechanismState &state)
+    void
+    MotionIntegrator::start(const MechanismState &state)
     {
       current = state;
       const std::vector<ClearanceJoint> &joints =
@@ -166,7 +168,8 @@ namespace Tribody
 
 
 
-    void MotionIntegrator::restart()
+    void
+    MotionIntegrator::restart()
     {
       equations.assemble_forces(current.q,
                                 current.v,
@@ -189,7 +192,8 @@ namespace Tribody
 
 
 
-    void MotionIntegrator::record_step(const std::vector<int> &roots)
+    void
+    MotionIntegrator::record_step(const std::vector<int> &roots)
     {
       const Eigen::VectorXd &y = ida->solution();
       for (unsigned int j = 0; j < roots.size(); ++j)
@@ -255,7 +259,8 @@ namespace Tribody
 
 
 
-    IntegratorStatistics MotionIntegrator::statistics() const
+    IntegratorStatistics
+    MotionIntegrator::statistics() const
     {
       return ida->statistics();
     }

@@ -17,7 +17,8 @@ namespace Tribody
     namespace
     {
       // Mean reaction of each joint of the closed mechanism over a cycle.
-      std::vector<double> mean_ideal_forces(const EquationsOfMotion &closed)
+      std::vector<double>
+      mean_ideal_forces(const EquationsOfMotion &closed)
       {
         const Mechanism        &mechanism = closed.mechanism();
         std::vector<double>     means(mechanism.joints().size(), 0.);
@@ -46,10 +47,11 @@ namespace Tribody
 
       // Largest eigenvalue of the inverse mass that a force in the joint
       // meets, the other constraints holding.
-      double largest_inverse_mass(const Mechanism         &mechanism,
-                                  const EquationsOfMotion &closed,
-                                  const Eigen::VectorXd   &q,
-                                  const unsigned int       joint)
+      double
+      largest_inverse_mass(const Mechanism         &mechanism,
+                           const EquationsOfMotion &closed,
+                           const Eigen::VectorXd   &q,
+                           const unsigned int       joint)
       {
         const unsigned int      n = mechanism.n_coordinates();
         const unsigned int      m = mechanism.n_constraints();
@@ -120,9 +122,10 @@ namespace Tribody
 
 
 
-    MotionTolerances make_tolerances(const Mechanism &mechanism,
-                                     const std::vector<ReferenceScale> &scales,
-                                     const DynamicsParameters &parameters)
+    MotionTolerances
+    make_tolerances(const Mechanism                   &mechanism,
+                    const std::vector<ReferenceScale> &scales,
+                    const DynamicsParameters          &parameters)
     {
       const unsigned int n_bodies = mechanism.parameters().bodies.size();
       // Without contacts: the size of the mechanism, and radians per second.

@@ -14,8 +14,8 @@ namespace Tribody
 
 
 
-    Eigen::Vector2d RevoluteConstraint::value(const double /*t*/,
-                                              const PairVector &q) const
+    Eigen::Vector2d
+    RevoluteConstraint::value(const double /*t*/, const PairVector &q) const
     {
       return marker_position(q.head<3>(), s_1) -
              marker_position(q.tail<3>(), s_2);
@@ -23,7 +23,8 @@ namespace Tribody
 
 
 
-    Constraint::Jacobian RevoluteConstraint::jacobian(const PairVector &q) const
+    Constraint::Jacobian
+    RevoluteConstraint::jacobian(const PairVector &q) const
     {
       Jacobian result = Jacobian::Zero();
       result.leftCols<2>().setIdentity();

@@ -22,7 +22,8 @@ namespace Tribody
 
       // Derivatives of the polynomial through values at -2, -1, 0, 1, 2 are
       // values times the transpose of this: from Vandermonde matrices.
-      TimeMatrix differentiation_matrix(const int order)
+      TimeMatrix
+      differentiation_matrix(const int order)
       {
         TimeMatrix powers, derivatives = TimeMatrix::Zero();
         for (int i = 0; i < n_times; ++i)
@@ -48,17 +49,21 @@ namespace Tribody
                          const double             t_0,
                          const double             spacing);
 
-        StartingState solve();
+        StartingState
+        solve();
 
       private:
         // Motion at all times with the present e(t) and friction moments.
-        void update_motion();
+        void
+        update_motion();
 
         // New e(t) from the reactions; returns the largest change relative to
         // the penetration.
-        double update_eccentricities();
+        double
+        update_eccentricities();
 
-        void update_eccentricity(const unsigned int j, const int k);
+        void
+        update_eccentricity(const unsigned int j, const int k);
 
         const EquationsOfMotion &equations;
         const EquationsOfMotion &closed;
@@ -106,7 +111,8 @@ namespace Tribody
 
 
 
-      void SlowMotionSearch::update_motion()
+      void
+      SlowMotionSearch::update_motion()
       {
         for (int k = 0; k < n_times; ++k)
           {
@@ -129,8 +135,8 @@ namespace Tribody
 
 
 
-      void SlowMotionSearch::update_eccentricity(const unsigned int j,
-                                                 const int          k)
+      void
+      SlowMotionSearch::update_eccentricity(const unsigned int j, const int k)
       {
         const ClearanceJoint &joint =
           equations.mechanism().clearance_joints()[j];
@@ -177,7 +183,8 @@ namespace Tribody
 
 
 
-      double SlowMotionSearch::update_eccentricities()
+      double
+      SlowMotionSearch::update_eccentricities()
       {
         for (Eigen::VectorXd &forces : extra_forces)
           forces.setZero();
@@ -196,7 +203,8 @@ namespace Tribody
 
 
 
-      StartingState SlowMotionSearch::solve()
+      StartingState
+      SlowMotionSearch::solve()
       {
         StartingState          start;
         SolverReport          &report         = start.report;
@@ -221,8 +229,8 @@ namespace Tribody
 
 
 
-    StartingState compute_centred_start(const EquationsOfMotion &closed,
-                                        const double             t_0)
+    StartingState
+    compute_centred_start(const EquationsOfMotion &closed, const double t_0)
     {
       StartingState           start;
       const ConstraintOffsets none(closed.mechanism().n_constraints());
@@ -235,10 +243,11 @@ namespace Tribody
 
 
 
-    StartingState compute_slow_motion_start(const EquationsOfMotion &equations,
-                                            const EquationsOfMotion &closed,
-                                            const double             t_0,
-                                            const double             spacing)
+    StartingState
+    compute_slow_motion_start(const EquationsOfMotion &equations,
+                              const EquationsOfMotion &closed,
+                              const double             t_0,
+                              const double             spacing)
     {
       return SlowMotionSearch(equations, closed, t_0, spacing).solve();
     }

@@ -6,8 +6,8 @@ namespace Tribody
 {
   namespace Multibody
   {
-    PairForce Spring::compute_force(const PairVector &q,
-                                    const PairVector &v) const
+    PairForce
+    Spring::compute_force(const PairVector &q, const PairVector &v) const
     {
       const Eigen::Vector2d a1 = turned(s_1, q(2)), a2 = turned(s_2, q(5));
       const Eigen::Vector2d d = q.segment<2>(3) + a2 - q.head<2>() - a1;
@@ -38,7 +38,8 @@ namespace Tribody
 
 
 
-    double Spring::potential_energy(const PairVector &q) const
+    double
+    Spring::potential_energy(const PairVector &q) const
     {
       const double extension =
         (marker_position(q.tail<3>(), s_2) - marker_position(q.head<3>(), s_1))

@@ -7,7 +7,8 @@ namespace Tribody
 {
   namespace Multibody
   {
-    void SpringParameters::add_parameters(dealii::ParameterHandler &prm)
+    void
+    SpringParameters::add_parameters(dealii::ParameterHandler &prm)
     {
       Parameters::add_text(prm,
                            "First marker",
@@ -46,7 +47,8 @@ namespace Tribody
 
 
 
-    void SpringParameters::check() const
+    void
+    SpringParameters::check() const
     {
       const auto check_not_negative = [&](const std::string &entry,
                                           const double       value,

@@ -19,15 +19,17 @@ namespace Tribody
 
 
 
-    Eigen::Vector2d TranslationalConstraint::axis(const PairVector &q) const
+    Eigen::Vector2d
+    TranslationalConstraint::axis(const PairVector &q) const
     {
       return {std::cos(q(2) + axis_angle), std::sin(q(2) + axis_angle)};
     }
 
 
 
-    Eigen::Vector2d TranslationalConstraint::value(const double /*t*/,
-                                                   const PairVector &q) const
+    Eigen::Vector2d
+    TranslationalConstraint::value(const double /*t*/,
+                                   const PairVector &q) const
     {
       const Eigen::Vector2d d =
         marker_position(q.tail<3>(), s_2) - marker_position(q.head<3>(), s_1);
@@ -54,7 +56,8 @@ namespace Tribody
 
 
 
-    PairMatrix TranslationalConstraint::weighted_hessian(
+    PairMatrix
+    TranslationalConstraint::weighted_hessian(
       const PairVector      &q,
       const Eigen::Vector2d &weights) const
     {
@@ -77,7 +80,8 @@ namespace Tribody
 
 
 
-    Eigen::Vector2d TranslationalConstraint::reaction_force(
+    Eigen::Vector2d
+    TranslationalConstraint::reaction_force(
       const PairVector      &q,
       const Eigen::Vector2d &multipliers) const
     {

@@ -19,7 +19,8 @@ namespace Tribody
     {
       // Two scalar fields on the bore, carried by the two components of the
       // vector-valued element, so that no second numbering is needed.
-      dealii::Vector<double> make_bore_field(const BushingFields &fields)
+      dealii::Vector<double>
+      make_bore_field(const BushingFields &fields)
       {
         dealii::Vector<double> values(fields.dof_handler.n_dofs());
         for (Eigen::Index i = 0; i < fields.bore_nodes.n_nodes(); ++i)
@@ -33,8 +34,8 @@ namespace Tribody
 
 
 
-    void write_bushing_vtu(const std::string   &file_name,
-                           const BushingFields &fields)
+    void
+    write_bushing_vtu(const std::string &file_name, const BushingFields &fields)
     {
       using Interpretation =
         dealii::DataComponentInterpretation::DataComponentInterpretation;
@@ -73,7 +74,8 @@ namespace Tribody
 
 
 
-    void write_pvd(
+    void
+    write_pvd(
       const std::string                                 &file_name,
       const std::vector<std::pair<double, std::string>> &times_and_names)
     {

@@ -17,7 +17,8 @@ namespace Tribody
       // anything else that a user keeps in a directory.
       constexpr const char *mark = "parameters.prm";
 
-      bool has_content(const fs::path &directory)
+      bool
+      has_content(const fs::path &directory)
       {
         return fs::exists(directory) && !fs::is_empty(directory);
       }
@@ -40,7 +41,8 @@ namespace Tribody
 
 
 
-    std::string OutputDirectory::create() const
+    std::string
+    OutputDirectory::create() const
     {
       std::string message;
       try
@@ -71,15 +73,17 @@ namespace Tribody
 
 
 
-    std::string OutputDirectory::file(const std::string &name) const
+    std::string
+    OutputDirectory::file(const std::string &name) const
     {
       return (fs::path(directory) / name).string();
     }
 
 
 
-    std::string OutputDirectory::joint_file(const std::string &joint,
-                                            const std::string &name) const
+    std::string
+    OutputDirectory::joint_file(const std::string &joint,
+                                const std::string &name) const
     {
       const fs::path  joint_directory = fs::path(directory) / joint;
       std::error_code error;
@@ -93,9 +97,10 @@ namespace Tribody
 
 
 
-    std::string numbered_name(const std::string &stem,
-                              const unsigned int number,
-                              const std::string &extension)
+    std::string
+    numbered_name(const std::string &stem,
+                  const unsigned int number,
+                  const std::string &extension)
     {
       return stem + "_" + dealii::Utilities::int_to_string(number, 4) + "." +
              extension;

@@ -16,14 +16,16 @@ namespace Tribody
       // Keeps the order in which entries are added.
       using Json = nlohmann::ordered_json;
 
-      double degrees(const double radians)
+      double
+      degrees(const double radians)
       {
         return radians * 180. / M_PI;
       }
 
 
 
-      Json bushing_to_json(const BushingSummary &bushing)
+      Json
+      bushing_to_json(const BushingSummary &bushing)
       {
         Json json = {{"max_wear_depth_m", bushing.max_wear_depth},
                      {"max_wear_angle_deg", degrees(bushing.max_wear_angle)},
@@ -45,7 +47,8 @@ namespace Tribody
 
 
 
-      Json joint_to_json(const JointSummary &joint)
+      Json
+      joint_to_json(const JointSummary &joint)
       {
         Json json = Json::object();
         if (joint.has_bushing)
@@ -72,8 +75,8 @@ namespace Tribody
 
 
 
-    void write_summary_json(const std::string &file_name,
-                            const RunSummary  &summary)
+    void
+    write_summary_json(const std::string &file_name, const RunSummary &summary)
     {
       Json json = {
         {"program",

@@ -5,8 +5,9 @@
 
 namespace Tribody
 {
-  BoreSurface make_bore_surface(const Eigen::Matrix2Xd &positions,
-                                const unsigned int      degree)
+  BoreSurface
+  make_bore_surface(const Eigen::Matrix2Xd &positions,
+                    const unsigned int      degree)
   {
     const Eigen::Index n = positions.cols();
     Assert(degree > 0 && n % degree == 0,

@@ -19,8 +19,9 @@ namespace Tribody
     constexpr int n_padding = 24;
 
     // Values on an equidistant grid of one turn that starts at angles(0).
-    std::vector<double> equidistant_values(const Eigen::VectorXd &angles,
-                                           const Eigen::VectorXd &clearances)
+    std::vector<double>
+    equidistant_values(const Eigen::VectorXd &angles,
+                       const Eigen::VectorXd &clearances)
     {
       const int    n       = angles.size();
       const double spacing = two_pi / n;
@@ -81,7 +82,8 @@ namespace Tribody
     }
 
     // The argument of the curve, in [0, 2 pi).
-    double reduced(const double angle) const
+    double
+    reduced(const double angle) const
     {
       const double x = angle - origin;
       return x - two_pi * std::floor(x / two_pi);
@@ -112,14 +114,16 @@ namespace Tribody
 
 
 
-  double ClearanceProfile::clearance(const double angle) const
+  double
+  ClearanceProfile::clearance(const double angle) const
   {
     return spline ? spline->curve(spline->reduced(angle)) : mean_clearance;
   }
 
 
 
-  ClearanceProfile::Values ClearanceProfile::evaluate(const double angle) const
+  ClearanceProfile::Values
+  ClearanceProfile::evaluate(const double angle) const
   {
     if (!spline)
       return {mean_clearance, 0., 0.};

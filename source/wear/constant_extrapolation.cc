@@ -12,17 +12,19 @@ namespace Tribody
 {
   namespace Wear
   {
-    double ConstantExtrapolation::next_step(const double cycles_done,
-                                            const double n_cycles) const
+    double
+    ConstantExtrapolation::next_step(const double cycles_done,
+                                     const double n_cycles) const
     {
       return std::min(cycles_per_step, n_cycles - cycles_done);
     }
 
 
 
-    double max_stable_step(const Eigen::MatrixXd &compliance,
-                           const Eigen::VectorXd &area_derivative,
-                           const double           wear_per_pressure)
+    double
+    max_stable_step(const Eigen::MatrixXd &compliance,
+                    const Eigen::VectorXd &area_derivative,
+                    const double           wear_per_pressure)
     {
       Assert(wear_per_pressure > 0., dealii::ExcMessage("nothing wears"));
 
@@ -39,9 +41,10 @@ namespace Tribody
 
 
 
-    void EulerErrorEstimate::add_step(const Eigen::VectorXd &rate_before,
-                                      const Eigen::VectorXd &rate_after,
-                                      const double           n_cycles)
+    void
+    EulerErrorEstimate::add_step(const Eigen::VectorXd &rate_before,
+                                 const Eigen::VectorXd &rate_after,
+                                 const double           n_cycles)
     {
       if (error.size() == 0)
         error = Eigen::VectorXd::Zero(rate_before.size());
@@ -50,7 +53,8 @@ namespace Tribody
 
 
 
-    double EulerErrorEstimate::relative_to(const Eigen::VectorXd &depth) const
+    double
+    EulerErrorEstimate::relative_to(const Eigen::VectorXd &depth) const
     {
       Eigen::Index deepest   = 0;
       const double max_depth = depth.maxCoeff(&deepest);

@@ -13,7 +13,8 @@ namespace Tribody
   {
     namespace
     {
-      double half_angle(const double depth, const double clearance)
+      double
+      half_angle(const double depth, const double clearance)
       {
         return std::acos(clearance / (depth + clearance));
       }
@@ -21,7 +22,8 @@ namespace Tribody
 
 
 
-    double Crescent::sliding_distance(const double depth) const
+    double
+    Crescent::sliding_distance(const double depth) const
     {
       Assert(clearance > 0., dealii::ExcMessage("no clearance"));
 
@@ -40,7 +42,8 @@ namespace Tribody
 
 
 
-    double Crescent::depth(const double distance) const
+    double
+    Crescent::depth(const double distance) const
     {
       if (!(distance > 0.) || !(normal_force > 0.) || !(wear_coefficient > 0.))
         return 0.;
@@ -66,7 +69,8 @@ namespace Tribody
 
 
 
-    double Crescent::volume(const double depth) const
+    double
+    Crescent::volume(const double depth) const
     {
       const double t = half_angle(depth, clearance);
       return axial_length * radius *

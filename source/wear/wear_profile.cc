@@ -6,7 +6,8 @@ namespace Tribody
 {
   namespace Wear
   {
-    BoreSurface WearProfile::surface() const
+    BoreSurface
+    WearProfile::surface() const
     {
       return make_bore_surface(positions + normals * depth.asDiagonal(),
                                degree);
@@ -14,7 +15,8 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd WearProfile::depth_for_removed_area(
+    Eigen::VectorXd
+    WearProfile::depth_for_removed_area(
       const BoreSurface     &surface,
       const Eigen::VectorXd &removed_area) const
     {
@@ -25,14 +27,16 @@ namespace Tribody
 
 
 
-    double WearProfile::max_depth() const
+    double
+    WearProfile::max_depth() const
     {
       return depth.maxCoeff();
     }
 
 
 
-    Eigen::Index WearProfile::deepest_node() const
+    Eigen::Index
+    WearProfile::deepest_node() const
     {
       Eigen::Index node = 0;
       depth.maxCoeff(&node);
@@ -41,9 +45,10 @@ namespace Tribody
 
 
 
-    WearProfile make_wear_profile(const Eigen::Matrix2Xd &positions,
-                                  const Eigen::Matrix2Xd &normals,
-                                  const unsigned int      degree)
+    WearProfile
+    make_wear_profile(const Eigen::Matrix2Xd &positions,
+                      const Eigen::Matrix2Xd &normals,
+                      const unsigned int      degree)
     {
       return {positions,
               normals,
@@ -53,7 +58,8 @@ namespace Tribody
 
 
 
-    double mesh_oscillation(const Eigen::VectorXd &values)
+    double
+    mesh_oscillation(const Eigen::VectorXd &values)
     {
       const Eigen::Index n       = values.size();
       double             largest = 0.;

@@ -27,7 +27,8 @@ struct Example
   std::string                             choice = "one";
   std::map<std::string, dealii::Point<2>> markers;
 
-  void declare(dealii::ParameterHandler &prm)
+  void
+  declare(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Body crank");
     Parameters::add_quantity(prm, "Radius", radius, "m", "A radius.", "mm");

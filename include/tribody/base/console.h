@@ -20,10 +20,12 @@ namespace Tribody
 
     /// From now on write to @p file_name as well.
     /// @throws ExcRun if it cannot be written.
-    void open_log(const std::string &file_name);
+    void
+    open_log(const std::string &file_name);
 
     /// The stream to write to.
-    std::ostream &out()
+    std::ostream &
+    out()
     {
       return stream;
     }

@@ -36,7 +36,8 @@ namespace Tribody
 
     ~ExcParameter() noexcept override = default;
 
-    void print_info(std::ostream &out) const override
+    void
+    print_info(std::ostream &out) const override
     {
       out << path << ": " << problem << std::endl;
     }

@@ -21,10 +21,12 @@ namespace Tribody
     /// Mass density [kg/m^3].
     double density = 7800.;
 
-    void add_parameters(dealii::ParameterHandler &prm);
+    void
+    add_parameters(dealii::ParameterHandler &prm);
 
     /// @throws ExcParameter with paths that start with "Material <name>".
-    void check() const;
+    void
+    check() const;
   };
 } // namespace Tribody
 

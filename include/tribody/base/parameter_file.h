@@ -40,20 +40,22 @@ namespace Tribody
      * @throws ExcInput for an undeclared name (with the nearest valid ones)
      *   or a value that does not fit.
      */
-    void apply(dealii::ParameterHandler &prm) const;
+    void
+    apply(dealii::ParameterHandler &prm) const;
 
     /**
      * The last value given to the parameter @p path ("A/B/name"), or
      * @p default_value.
      */
-    std::string value(const std::string &path,
-                      const std::string &default_value) const;
+    std::string
+    value(const std::string &path, const std::string &default_value) const;
 
     /**
      * Where @p path was set last: "file.prm:12", "--set", or "default value"
      * when it was not.
      */
-    std::string location(const std::string &path) const;
+    std::string
+    location(const std::string &path) const;
 
   private:
     struct Assignment
@@ -64,11 +66,14 @@ namespace Tribody
       std::string              location;
     };
 
-    void read(const std::string &file_name, const unsigned int depth);
+    void
+    read(const std::string &file_name, const unsigned int depth);
 
-    void add_override(const std::string &text);
+    void
+    add_override(const std::string &text);
 
-    const Assignment *find(const std::string &path) const;
+    const Assignment *
+    find(const std::string &path) const;
 
     std::vector<Assignment>  assignments;
     std::vector<std::string> open_subsections;
@@ -78,8 +83,9 @@ namespace Tribody
    * The entries of @p candidates nearest to @p word in edit distance, as
    * "'a' or 'b'"; empty if none is near.
    */
-  std::string nearest_names(const std::string              &word,
-                            const std::vector<std::string> &candidates);
+  std::string
+  nearest_names(const std::string              &word,
+                const std::vector<std::string> &candidates);
 } // namespace Tribody
 
 #endif

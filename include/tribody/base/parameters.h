@@ -30,64 +30,73 @@ namespace Tribody
      * @param shown_unit the unit in which the default is printed; @p si_unit
      *   if empty.
      */
-    void add_quantity(dealii::ParameterHandler &prm,
-                      const std::string        &name,
-                      double                   &value,
-                      const std::string        &si_unit,
-                      const std::string        &documentation,
-                      const std::string        &shown_unit = "");
+    void
+    add_quantity(dealii::ParameterHandler &prm,
+                 const std::string        &name,
+                 double                   &value,
+                 const std::string        &si_unit,
+                 const std::string        &documentation,
+                 const std::string        &shown_unit = "");
 
     /// A point or vector: two quantities separated by a comma.
-    void add_point(dealii::ParameterHandler &prm,
-                   const std::string        &name,
-                   dealii::Point<2>         &value,
-                   const std::string        &si_unit,
-                   const std::string        &documentation,
-                   const std::string        &shown_unit = "");
+    void
+    add_point(dealii::ParameterHandler &prm,
+              const std::string        &name,
+              dealii::Point<2>         &value,
+              const std::string        &si_unit,
+              const std::string        &documentation,
+              const std::string        &shown_unit = "");
 
     /// Named points, "O: 0 mm, 0 mm; A: 38.1 mm, 0 mm".
-    void add_named_points(dealii::ParameterHandler                &prm,
-                          const std::string                       &name,
-                          std::map<std::string, dealii::Point<2>> &value,
-                          const std::string                       &si_unit,
-                          const std::string &documentation);
+    void
+    add_named_points(dealii::ParameterHandler                &prm,
+                     const std::string                       &name,
+                     std::map<std::string, dealii::Point<2>> &value,
+                     const std::string                       &si_unit,
+                     const std::string                       &documentation);
 
     /// Names separated by commas: letters, digits, '_', '-' and '+'.
-    void add_names(dealii::ParameterHandler &prm,
-                   const std::string        &name,
-                   std::vector<std::string> &value,
-                   const std::string        &documentation);
+    void
+    add_names(dealii::ParameterHandler &prm,
+              const std::string        &name,
+              std::vector<std::string> &value,
+              const std::string        &documentation);
 
     /// One of several words.
-    void add_choice(dealii::ParameterHandler       &prm,
-                    const std::string              &name,
-                    std::string                    &value,
-                    const std::vector<std::string> &choices,
-                    const std::string              &documentation);
+    void
+    add_choice(dealii::ParameterHandler       &prm,
+               const std::string              &name,
+               std::string                    &value,
+               const std::vector<std::string> &choices,
+               const std::string              &documentation);
 
     /// Free text, taken as it is.
-    void add_text(dealii::ParameterHandler &prm,
-                  const std::string        &name,
-                  std::string              &value,
-                  const std::string        &documentation);
+    void
+    add_text(dealii::ParameterHandler &prm,
+             const std::string        &name,
+             std::string              &value,
+             const std::string        &documentation);
 
     /// A whole number in [@p minimum, @p maximum].
-    void add_integer(dealii::ParameterHandler &prm,
-                     const std::string        &name,
-                     unsigned int             &value,
-                     const std::string        &documentation,
-                     const unsigned int        minimum,
-                     const unsigned int        maximum);
+    void
+    add_integer(dealii::ParameterHandler &prm,
+                const std::string        &name,
+                unsigned int             &value,
+                const std::string        &documentation,
+                const unsigned int        minimum,
+                const unsigned int        maximum);
 
     /// yes or no.
-    void add_flag(dealii::ParameterHandler &prm,
-                  const std::string        &name,
-                  bool                     &value,
-                  const std::string        &documentation);
+    void
+    add_flag(dealii::ParameterHandler &prm,
+             const std::string        &name,
+             bool                     &value,
+             const std::string        &documentation);
   } // namespace Parameters
 
   /// Split "a, b, c" into trimmed, non-empty names.
-  std::vector<std::string> split_names(const std::string &text);
+  std::vector<std::string>
+  split_names(const std::string &text);
 } // namespace Tribody
 
 #endif

@@ -26,7 +26,8 @@ namespace Tribody
 
     /// @pre one value per column.
     /// @throws ExcRun if the disk does not take it.
-    void write_row(const std::vector<double> &values);
+    void
+    write_row(const std::vector<double> &values);
 
   private:
     std::string   file_name;

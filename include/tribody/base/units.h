@@ -23,17 +23,19 @@ namespace Tribody
      *   dimension, an unknown unit or something that is not a finite number.
      *   "30 Hz" is no angular speed: radians are counted as a dimension.
      */
-    double from_string(const std::string &text, const std::string &si_unit);
+    double
+    from_string(const std::string &text, const std::string &si_unit);
 
     /// Two or more quantities separated by commas: "0 mm, 3 mm".
-    std::vector<double> list_from_string(const std::string &text,
-                                         const std::string &si_unit);
+    std::vector<double>
+    list_from_string(const std::string &text, const std::string &si_unit);
 
     /// @p value [@p si_unit] in the unit @p shown_unit of the same dimension,
     /// as a string that from_string() reads back.
-    std::string to_string(const double       value,
-                          const std::string &si_unit,
-                          const std::string &shown_unit);
+    std::string
+    to_string(const double       value,
+              const std::string &si_unit,
+              const std::string &shown_unit);
   } // namespace Units
 } // namespace Tribody
 

@@ -20,15 +20,18 @@ namespace Tribody
                   const double       initial_angle,
                   const double       speed);
 
-      Eigen::Vector2d value(const double t, const PairVector &q) const override;
+      Eigen::Vector2d
+      value(const double t, const PairVector &q) const override;
 
-      Jacobian jacobian(const PairVector &q) const override;
+      Jacobian
+      jacobian(const PairVector &q) const override;
 
       PairMatrix
       weighted_hessian(const PairVector      &q,
                        const Eigen::Vector2d &weights) const override;
 
-      Eigen::Vector2d time_derivative(const double t) const override;
+      Eigen::Vector2d
+      time_derivative(const double t) const override;
 
       /// A motor transmits a moment, no force.
       Eigen::Vector2d

@@ -26,21 +26,23 @@ namespace Tribody
     };
 
     /// k x a: @p a turned by a right angle, counter-clockwise.
-    inline Eigen::Vector2d perpendicular(const Eigen::Vector2d &a)
+    inline Eigen::Vector2d
+    perpendicular(const Eigen::Vector2d &a)
     {
       return {-a.y(), a.x()};
     }
 
     /// A(angle) @p s: from a body's frame to global axes.
-    inline Eigen::Vector2d turned(const Eigen::Vector2d &s, const double angle)
+    inline Eigen::Vector2d
+    turned(const Eigen::Vector2d &s, const double angle)
     {
       const double c = std::cos(angle), sine = std::sin(angle);
       return {c * s.x() - sine * s.y(), sine * s.x() + c * s.y()};
     }
 
     /// Position of a marker at @p s in a body with coordinates @p q.
-    inline Eigen::Vector2d marker_position(const Eigen::Vector3d &q,
-                                           const Eigen::Vector2d &s)
+    inline Eigen::Vector2d
+    marker_position(const Eigen::Vector3d &q, const Eigen::Vector2d &s)
     {
       return q.head<2>() + turned(s, q(2));
     }
@@ -55,7 +57,8 @@ namespace Tribody
       int first  = ground_body;
       int second = ground_body;
 
-      PairVector gather(const Eigen::Ref<const Eigen::VectorXd> &global) const
+      PairVector
+      gather(const Eigen::Ref<const Eigen::VectorXd> &global) const
       {
         PairVector local;
         for (const int k : {0, 1})
@@ -66,16 +69,16 @@ namespace Tribody
         return local;
       }
 
-      void add_to(const PairVector           &local,
-                  Eigen::Ref<Eigen::VectorXd> global) const
+      void
+      add_to(const PairVector &local, Eigen::Ref<Eigen::VectorXd> global) const
       {
         for (const int k : {0, 1})
           if (body(k) != ground_body)
             global.segment<3>(3 * body(k)) += local.segment<3>(3 * k);
       }
 
-      void add_to(const PairMatrix           &local,
-                  Eigen::Ref<Eigen::MatrixXd> global) const
+      void
+      add_to(const PairMatrix &local, Eigen::Ref<Eigen::MatrixXd> global) const
       {
         for (const int k : {0, 1})
           for (const int l : {0, 1})
@@ -84,7 +87,8 @@ namespace Tribody
                 local.block<3, 3>(3 * k, 3 * l);
       }
 
-      int body(const int k) const
+      int
+      body(const int k) const
       {
         return k == 0 ? first : second;
       }

@@ -23,7 +23,8 @@ namespace Tribody
         {"O", dealii::Point<2>()}};
 
       /// Declares in the current subsection, "Ground".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
     };
 
     /// A rigid body with its frame at the centre of mass.
@@ -43,10 +44,12 @@ namespace Tribody
       double initial_angle = 0.;
 
       /// Declares in the current subsection, "Body <name>".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @throws ExcParameter with paths that start with "Body <name>".
-      void check() const;
+      void
+      check() const;
     };
   } // namespace Multibody
 } // namespace Tribody

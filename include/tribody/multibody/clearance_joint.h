@@ -38,7 +38,8 @@ namespace Tribody
       double tangential_force = 0.;
 
       /// Force of the pin on the bushing [N], global axes.
-      Eigen::Vector2d force() const
+      Eigen::Vector2d
+      force() const
       {
         return normal_force * direction +
                tangential_force * perpendicular(direction);
@@ -81,24 +82,27 @@ namespace Tribody
       double minimum_approach_speed;
 
       /// As manufactured, R_j - R_i [m].
-      double nominal_clearance() const
+      double
+      nominal_clearance() const
       {
         return bushing_radius - pin_radius;
       }
 
       /// Everything about the contact but its derivatives.
-      JointContact compute_contact(const PairVector       &q,
-                                   const PairVector       &v,
-                                   const ClearanceProfile &clearance,
-                                   const double approach_speed) const;
+      JointContact
+      compute_contact(const PairVector       &q,
+                      const PairVector       &v,
+                      const ClearanceProfile &clearance,
+                      const double            approach_speed) const;
 
       /// delta [m] alone, for root functions.
-      double compute_penetration(const PairVector       &q,
-                                 const ClearanceProfile &clearance) const;
+      double
+      compute_penetration(const PairVector       &q,
+                          const ClearanceProfile &clearance) const;
 
       /// Generalised forces that belong to @p contact.
-      PairVector compute_force(const PairVector   &q,
-                               const JointContact &contact) const;
+      PairVector
+      compute_force(const PairVector &q, const JointContact &contact) const;
 
       /// Forces with their exact derivatives.
       PairForce

@@ -34,11 +34,12 @@ namespace Tribody
       virtual ~Constraint() = default;
 
       /// @f$\Phi@f$ [m or rad] at time @p t [s].
-      virtual Eigen::Vector2d value(const double      t,
-                                    const PairVector &q) const = 0;
+      virtual Eigen::Vector2d
+      value(const double t, const PairVector &q) const = 0;
 
       /// @f$\Phi_q@f$.
-      virtual Jacobian jacobian(const PairVector &q) const = 0;
+      virtual Jacobian
+      jacobian(const PairVector &q) const = 0;
 
       /// @f$\sum_k w_k\,\partial^2\Phi_k/\partial q^2@f$, symmetric.
       virtual PairMatrix
@@ -46,13 +47,15 @@ namespace Tribody
                        const Eigen::Vector2d &weights) const = 0;
 
       /// @f$\Phi_t@f$.
-      virtual Eigen::Vector2d time_derivative(const double /*t*/) const
+      virtual Eigen::Vector2d
+      time_derivative(const double /*t*/) const
       {
         return Eigen::Vector2d::Zero();
       }
 
       /// @f$\Phi_{tt}@f$.
-      virtual Eigen::Vector2d second_time_derivative(const double /*t*/) const
+      virtual Eigen::Vector2d
+      second_time_derivative(const double /*t*/) const
       {
         return Eigen::Vector2d::Zero();
       }

@@ -41,7 +41,8 @@ namespace Tribody
       /// K [N/m^1.5].
       double stiffness;
 
-      NormalForce normal_force(const ContactKinematics &contact) const;
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
     };
 
     /**
@@ -58,7 +59,8 @@ namespace Tribody
       /// e_r [-].
       double restitution_coefficient;
 
-      NormalForce normal_force(const ContactKinematics &contact) const;
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
     };
 
     /**
@@ -68,23 +70,27 @@ namespace Tribody
     using ContactForceLaw = std::variant<HertzLaw, LankaraniNikraveshLaw>;
 
     /// What can be chosen as "Contact force law".
-    std::vector<std::string> contact_force_law_names();
+    std::vector<std::string>
+    contact_force_law_names();
 
     /// The law of a joint with clearance.
-    ContactForceLaw make_contact_force_law(const JointParameters &joint);
+    ContactForceLaw
+    make_contact_force_law(const JointParameters &joint);
 
     /// Normal force under @p law.
-    NormalForce compute_normal_force(const ContactForceLaw   &law,
-                                     const ContactKinematics &contact);
+    NormalForce
+    compute_normal_force(const ContactForceLaw   &law,
+                         const ContactKinematics &contact);
 
     /**
      * Penetration [m] at which the force is @p normal_force [N], at the given
      * rate and approach speed: the inverse of compute_normal_force().
      */
-    double compute_penetration(const ContactForceLaw &law,
-                               const double           normal_force,
-                               const double           penetration_rate,
-                               const double           approach_speed);
+    double
+    compute_penetration(const ContactForceLaw &law,
+                        const double           normal_force,
+                        const double           penetration_rate,
+                        const double           approach_speed);
 
     /**
      * Stiffness K [N/m^1.5] of two spheres of radii R_i and R_j, the convex one
@@ -92,10 +98,11 @@ namespace Tribody
      * \sqrt{\frac{R_i R_j}{R_i+R_j}} @f$, @f$ h = (1-\nu^2)/E @f$; eq. (10) of
      * @cite mukras2010, with the sum of the radii as printed there.
      */
-    double compute_hertz_stiffness(const double    pin_radius,
-                                   const double    bushing_radius,
-                                   const Material &pin,
-                                   const Material &bushing);
+    double
+    compute_hertz_stiffness(const double    pin_radius,
+                            const double    bushing_radius,
+                            const Material &pin,
+                            const Material &bushing);
   } // namespace Multibody
 } // namespace Tribody
 

@@ -27,29 +27,38 @@ namespace Tribody
                     const double             period);
 
       /// Record number @p k, from 0 to 2 n.
-      void record(const unsigned int k, const MechanismState &state);
+      void
+      record(const unsigned int k, const MechanismState &state);
 
       /// Largest difference of a joint force to the one that @p other has
       /// recorded, relative to the joint's largest force.
-      double difference(const CycleRecorder &other) const;
+      double
+      difference(const CycleRecorder &other) const;
 
       /// @p events: contact events of the whole run.
-      DutyCycle make_duty_cycle(const std::vector<ContactEvent> &events) const;
+      DutyCycle
+      make_duty_cycle(const std::vector<ContactEvent> &events) const;
 
     private:
-      void record_forces(const unsigned int k, const MechanismState &state);
+      void
+      record_forces(const unsigned int k, const MechanismState &state);
 
-      void fill_contact(const unsigned int joint, JointDutyCycle &result) const;
+      void
+      fill_contact(const unsigned int joint, JointDutyCycle &result) const;
 
-      void fill_ideal(const unsigned int joint, JointDutyCycle &result) const;
+      void
+      fill_ideal(const unsigned int joint, JointDutyCycle &result) const;
 
-      void fill_sliding(const unsigned int joint, JointDutyCycle &result) const;
+      void
+      fill_sliding(const unsigned int joint, JointDutyCycle &result) const;
 
-      void fill_events(const unsigned int               joint,
-                       const std::vector<ContactEvent> &events,
-                       JointDutyCycle                  &result) const;
+      void
+      fill_events(const unsigned int               joint,
+                  const std::vector<ContactEvent> &events,
+                  JointDutyCycle                  &result) const;
 
-      double compute_ringing(const unsigned int joint) const;
+      double
+      compute_ringing(const unsigned int joint) const;
 
       const EquationsOfMotion &equations;
       const unsigned int       n_samples;

@@ -50,20 +50,25 @@ namespace Tribody
       DutyCycle
       run(const std::map<std::string, ClearanceProfile> &clearances = {}) const;
 
-      const std::vector<ReferenceScale> &reference_scales() const
+      const std::vector<ReferenceScale> &
+      reference_scales() const
       {
         return scales;
       }
 
     private:
-      std::vector<ClearanceProfile> collect_clearances(
+      std::vector<ClearanceProfile>
+      collect_clearances(
         const std::map<std::string, ClearanceProfile> &by_name) const;
 
-      DutyCycle run_kinematics(const EquationsOfMotion &equations) const;
+      DutyCycle
+      run_kinematics(const EquationsOfMotion &equations) const;
 
-      DutyCycle run_dynamics(const EquationsOfMotion &equations) const;
+      DutyCycle
+      run_dynamics(const EquationsOfMotion &equations) const;
 
-      StartingState compute_start(const EquationsOfMotion &equations) const;
+      StartingState
+      compute_start(const EquationsOfMotion &equations) const;
 
       const Mechanism            &mechanism;
       const DynamicsParameters    parameters;

@@ -26,10 +26,12 @@ namespace Tribody
       double initial_angle = 0.;
 
       /// Declares in the current subsection, "Driver <name>".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @throws ExcParameter with paths that start with "Driver <name>".
-      void check() const;
+      void
+      check() const;
     };
   } // namespace Multibody
 } // namespace Tribody

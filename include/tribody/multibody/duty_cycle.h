@@ -68,21 +68,27 @@ namespace Tribody
       double residual_ringing = 0.;
 
       /// Magnitude of the total force [N].
-      Eigen::VectorXd force() const;
+      Eigen::VectorXd
+      force() const;
 
-      double peak_force() const;
+      double
+      peak_force() const;
 
       /// Mean of the total force over time [N].
-      double mean_force() const;
+      double
+      mean_force() const;
 
       /// Mean of the normal force over the sliding distance [N].
-      double mean_normal_force() const;
+      double
+      mean_normal_force() const;
 
       /// Sum of the sliding increments [m].
-      double sliding_distance() const;
+      double
+      sliding_distance() const;
 
       /// Part of the samples in @p wanted [-].
-      double share_of(const ContactState wanted) const;
+      double
+      share_of(const ContactState wanted) const;
     };
 
     /// How the motion came to repeat itself.
@@ -125,7 +131,8 @@ namespace Tribody
       unsigned long        n_steps_in_cycle = 0;
 
       /// @throws ExcMessage if there is no joint @p name.
-      const JointDutyCycle &joint(const std::string &name) const;
+      const JointDutyCycle &
+      joint(const std::string &name) const;
     };
   } // namespace Multibody
 } // namespace Tribody

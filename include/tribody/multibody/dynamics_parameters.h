@@ -32,10 +32,12 @@ namespace Tribody
       std::string start = "slow motion";
 
       /// Declares in the current subsection, "Dynamics".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @throws ExcParameter with paths that start with "Dynamics".
-      void check() const;
+      void
+      check() const;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -20,7 +20,8 @@ namespace Tribody
       double kinetic;
       double potential;
 
-      double total() const
+      double
+      total() const
       {
         return kinetic + potential;
       }
@@ -45,13 +46,15 @@ namespace Tribody
       EquationsOfMotion(const Mechanism                     &mechanism,
                         const std::vector<ClearanceProfile> &clearances);
 
-      const Mechanism &mechanism() const
+      const Mechanism &
+      mechanism() const
       {
         return system;
       }
 
       /// Clearance of clearance joint @p joint.
-      const ClearanceProfile &clearance(const unsigned int joint) const
+      const ClearanceProfile &
+      clearance(const unsigned int joint) const
       {
         return clearances[joint];
       }
@@ -61,35 +64,41 @@ namespace Tribody
       assemble_constraints(const double t, ConstVector q, Vector phi) const;
 
       /// Phi_q.
-      void assemble_constraint_jacobian(ConstVector q, Matrix phi_q) const;
+      void
+      assemble_constraint_jacobian(ConstVector q, Matrix phi_q) const;
 
       /// Phi_t, and d(Phi_t)/dt = Phi_tt.
-      void assemble_time_derivatives(const double t,
-                                     Vector       phi_t,
-                                     Vector       phi_tt) const;
+      void
+      assemble_time_derivatives(const double t,
+                                Vector       phi_t,
+                                Vector       phi_tt) const;
 
       /// The vector (Phi_q v)_q v: accelerations that the constraints ask for
       /// at constant velocities.
-      void assemble_quadratic_terms(ConstVector q,
-                                    ConstVector v,
-                                    Vector      quadratic) const;
+      void
+      assemble_quadratic_terms(ConstVector q,
+                               ConstVector v,
+                               Vector      quadratic) const;
 
       /// Add @p factor times d(Phi_q^T multipliers)/dq to @p matrix.
-      void add_multiplier_derivative(ConstVector  q,
-                                     ConstVector  multipliers,
-                                     const double factor,
-                                     Matrix       matrix) const;
+      void
+      add_multiplier_derivative(ConstVector  q,
+                                ConstVector  multipliers,
+                                const double factor,
+                                Matrix       matrix) const;
 
       /// Add d(Phi_q v)/dq to @p matrix.
-      void add_velocity_derivative(ConstVector q,
-                                   ConstVector v,
-                                   Matrix      matrix) const;
+      void
+      add_velocity_derivative(ConstVector q,
+                              ConstVector v,
+                              Matrix      matrix) const;
 
       /// Q(q, v). @p approach_speeds: one per clearance joint [m/s].
-      void assemble_forces(ConstVector                q,
-                           ConstVector                v,
-                           const std::vector<double> &approach_speeds,
-                           Vector                     forces) const;
+      void
+      assemble_forces(ConstVector                q,
+                      ConstVector                v,
+                      const std::vector<double> &approach_speeds,
+                      Vector                     forces) const;
 
       /// Subtract dQ/dq from @p minus_d_position and dQ/dv from
       /// @p minus_d_velocity.
@@ -101,15 +110,18 @@ namespace Tribody
                                  Matrix minus_d_velocity) const;
 
       /// Penetration [m] in clearance joint @p joint.
-      double compute_penetration(const unsigned int joint, ConstVector q) const;
+      double
+      compute_penetration(const unsigned int joint, ConstVector q) const;
 
       /// Contact in clearance joint @p joint.
-      JointContact compute_contact(const unsigned int joint,
-                                   ConstVector        q,
-                                   ConstVector        v,
-                                   const double       approach_speed) const;
+      JointContact
+      compute_contact(const unsigned int joint,
+                      ConstVector        q,
+                      ConstVector        v,
+                      const double       approach_speed) const;
 
-      Energy compute_energy(ConstVector q, ConstVector v) const;
+      Energy
+      compute_energy(ConstVector q, ConstVector v) const;
 
     private:
       const Mechanism              &system;

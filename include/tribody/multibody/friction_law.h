@@ -23,7 +23,8 @@ namespace Tribody
     /// No friction.
     struct NoFriction
     {
-      FrictionRatio ratio(const double sliding_speed) const;
+      FrictionRatio
+      ratio(const double sliding_speed) const;
     };
 
     /// Coulomb's law made smooth, @f$ F_\mu = \mu F_N \tanh(v_t/v_0) @f$.
@@ -34,7 +35,8 @@ namespace Tribody
       /// v_0 [m/s].
       double regularisation_speed;
 
-      FrictionRatio ratio(const double sliding_speed) const;
+      FrictionRatio
+      ratio(const double sliding_speed) const;
     };
 
     /**
@@ -44,14 +46,16 @@ namespace Tribody
     using FrictionLaw = std::variant<NoFriction, RegularisedCoulombFriction>;
 
     /// What can be chosen as "Friction law".
-    std::vector<std::string> friction_law_names();
+    std::vector<std::string>
+    friction_law_names();
 
     /// The law of a joint with clearance.
-    FrictionLaw make_friction_law(const JointParameters &joint);
+    FrictionLaw
+    make_friction_law(const JointParameters &joint);
 
     /// Friction under @p law at the @p sliding_speed [m/s].
-    FrictionRatio compute_friction_ratio(const FrictionLaw &law,
-                                         const double       sliding_speed);
+    FrictionRatio
+    compute_friction_ratio(const FrictionLaw &law, const double sliding_speed);
   } // namespace Multibody
 } // namespace Tribody
 

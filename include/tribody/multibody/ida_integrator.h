@@ -60,7 +60,8 @@ namespace Tribody
       unsigned long n_nonlinear_failures  = 0;
       unsigned long n_starts              = 0;
 
-      IntegratorStatistics &operator+=(const IntegratorStatistics &other);
+      IntegratorStatistics &
+      operator+=(const IntegratorStatistics &other);
     };
 
     /**
@@ -77,13 +78,15 @@ namespace Tribody
 
       ~IdaIntegrator();
 
-      IdaIntegrator(const IdaIntegrator &)            = delete;
-      IdaIntegrator &operator=(const IdaIntegrator &) = delete;
+      IdaIntegrator(const IdaIntegrator &) = delete;
+      IdaIntegrator &
+      operator=(const IdaIntegrator &) = delete;
 
       /// (Re)start from consistent values at time @p t.
-      void start(const double           t,
-                 const Eigen::VectorXd &y,
-                 const Eigen::VectorXd &y_t);
+      void
+      start(const double           t,
+            const Eigen::VectorXd &y,
+            const Eigen::VectorXd &y_t);
 
       /**
        * One internal step, or up to the next zero of a root function.
@@ -92,17 +95,22 @@ namespace Tribody
        *   zero at time(), 0 otherwise.
        * @throws ExcRun naming the time if IDA fails.
        */
-      const std::vector<int> &step(const double direction);
+      const std::vector<int> &
+      step(const double direction);
 
       /// Time reached [s]; solution() belongs to it.
-      double time() const;
+      double
+      time() const;
 
-      const Eigen::VectorXd &solution() const;
+      const Eigen::VectorXd &
+      solution() const;
 
       /// The solution at @p t, which lies within the last step.
-      void interpolate(const double t, Eigen::VectorXd &y) const;
+      void
+      interpolate(const double t, Eigen::VectorXd &y) const;
 
-      IntegratorStatistics statistics() const;
+      IntegratorStatistics
+      statistics() const;
 
     private:
       // What belongs to SUNDIALS, so that this header does not need theirs.

@@ -65,17 +65,21 @@ namespace Tribody
       double relative_angle = 0.;
 
       /// Declares in the current subsection, "Joint <name>".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @throws ExcParameter with paths that start with "Joint <name>".
-      void check() const;
+      void
+      check() const;
 
-      bool is_revolute() const
+      bool
+      is_revolute() const
       {
         return type == "revolute";
       }
 
-      bool has_clearance() const
+      bool
+      has_clearance() const
       {
         return is_revolute() && model == "clearance";
       }

@@ -39,17 +39,19 @@ namespace Tribody
      * @return how it ended; q is improved in place. The residual is in units
      *   of the mechanism's size.
      */
-    SolverReport solve_positions(const EquationsOfMotion &equations,
-                                 const double             t,
-                                 const ConstraintOffsets &offsets,
-                                 Eigen::VectorXd         &q);
+    SolverReport
+    solve_positions(const EquationsOfMotion &equations,
+                    const double             t,
+                    const ConstraintOffsets &offsets,
+                    Eigen::VectorXd         &q);
 
     /// The smallest velocities (in the same sense) with
     /// Phi_q v + Phi_t = d(offsets)/dt.
-    Eigen::VectorXd compute_velocities(const EquationsOfMotion &equations,
-                                       const double             t,
-                                       const ConstraintOffsets &offsets,
-                                       const Eigen::VectorXd   &q);
+    Eigen::VectorXd
+    compute_velocities(const EquationsOfMotion &equations,
+                       const double             t,
+                       const ConstraintOffsets &offsets,
+                       const Eigen::VectorXd   &q);
 
     /**
      * Accelerations and multipliers from
@@ -60,12 +62,13 @@ namespace Tribody
      * with o the offsets and Q the applied @p forces: inverse dynamics if the
      * mechanism has no degree of freedom, the exact reactions otherwise.
      */
-    Accelerations compute_accelerations(const EquationsOfMotion &equations,
-                                        const double             t,
-                                        const ConstraintOffsets &offsets,
-                                        const Eigen::VectorXd   &q,
-                                        const Eigen::VectorXd   &v,
-                                        const Eigen::VectorXd   &forces);
+    Accelerations
+    compute_accelerations(const EquationsOfMotion &equations,
+                          const double             t,
+                          const ConstraintOffsets &offsets,
+                          const Eigen::VectorXd   &q,
+                          const Eigen::VectorXd   &v,
+                          const Eigen::VectorXd   &forces);
 
     /// Positions, velocities, accelerations and multipliers at one instant.
     struct Motion
@@ -82,26 +85,28 @@ namespace Tribody
      * then everything else in turn. @p extra_forces are added to gravity and
      * springs. @throws ExcRun if there is no such position.
      */
-    Motion solve_motion(const EquationsOfMotion &equations,
-                        const double             t,
-                        const ConstraintOffsets &offsets,
-                        const Eigen::VectorXd   &extra_forces,
-                        const Eigen::VectorXd   &q_guess);
+    Motion
+    solve_motion(const EquationsOfMotion &equations,
+                 const double             t,
+                 const ConstraintOffsets &offsets,
+                 const Eigen::VectorXd   &extra_forces,
+                 const Eigen::VectorXd   &q_guess);
 
     /**
      * The configuration at time @p t near the guess in the parameters.
      * @throws ExcParameter naming the joint that cannot be closed and the gap
      *   that remains.
      */
-    Eigen::VectorXd assemble_configuration(const EquationsOfMotion &equations,
-                                           const double             t);
+    Eigen::VectorXd
+    assemble_configuration(const EquationsOfMotion &equations, const double t);
 
     /**
      * Make sure that no constraint follows from the others at @p q (rank of
      * Phi_q). @throws ExcParameter naming the joints and drivers involved.
      */
-    void check_redundancy(const EquationsOfMotion &equations,
-                          const Eigen::VectorXd   &q);
+    void
+    check_redundancy(const EquationsOfMotion &equations,
+                     const Eigen::VectorXd   &q);
   } // namespace Multibody
 } // namespace Tribody
 

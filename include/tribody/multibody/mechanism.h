@@ -49,13 +49,15 @@ namespace Tribody
       explicit Mechanism(const MechanismParameters &parameters);
 
       /// Entries of q and of v: three per body.
-      unsigned int n_coordinates() const
+      unsigned int
+      n_coordinates() const
       {
         return 3 * the_parameters.bodies.size();
       }
 
       /// Equations in Phi.
-      unsigned int n_constraints() const
+      unsigned int
+      n_constraints() const
       {
         return n_equations;
       }
@@ -64,86 +66,104 @@ namespace Tribody
        * Coordinates minus constraints. Exact only without redundant
        * constraints, of which check_redundancy() makes sure.
        */
-      int n_degrees_of_freedom() const
+      int
+      n_degrees_of_freedom() const
       {
         return static_cast<int>(n_coordinates()) -
                static_cast<int>(n_equations);
       }
 
       /// What the mechanism was made from.
-      const MechanismParameters &parameters() const
+      const MechanismParameters &
+      parameters() const
       {
         return the_parameters;
       }
 
-      const std::vector<NumberedConstraint> &constraints() const
+      const std::vector<NumberedConstraint> &
+      constraints() const
       {
         return the_constraints;
       }
 
-      const std::vector<ClearanceJoint> &clearance_joints() const
+      const std::vector<ClearanceJoint> &
+      clearance_joints() const
       {
         return the_clearance_joints;
       }
 
       /// All joints, in the order of the parameters.
-      const std::vector<JointEntry> &joints() const
+      const std::vector<JointEntry> &
+      joints() const
       {
         return the_joints;
       }
 
-      const std::vector<Spring> &springs() const
+      const std::vector<Spring> &
+      springs() const
       {
         return the_springs;
       }
 
       /// Diagonal of M: mass, mass, moment of inertia of each body.
-      const Eigen::VectorXd &masses() const
+      const Eigen::VectorXd &
+      masses() const
       {
         return the_masses;
       }
 
       /// Forces of gravity [N], one entry per coordinate.
-      const Eigen::VectorXd &weights() const
+      const Eigen::VectorXd &
+      weights() const
       {
         return the_weights;
       }
 
       /// The guess of the configuration at time 0.
-      const Eigen::VectorXd &initial_coordinates() const
+      const Eigen::VectorXd &
+      initial_coordinates() const
       {
         return the_initial_coordinates;
       }
 
       /// A length [m] of the size of the mechanism's bodies.
-      double size() const
+      double
+      size() const
       {
         return the_size;
       }
 
       /// Time of one revolution of the first driver [s].
       /// @throws ExcParameter without a driver that turns.
-      double period() const;
+      double
+      period() const;
 
     private:
-      int find_body(const std::string &path, const std::string &name) const;
+      int
+      find_body(const std::string &path, const std::string &name) const;
 
-      Marker find_marker(const std::string &path,
-                         const std::string &name) const;
+      Marker
+      find_marker(const std::string &path, const std::string &name) const;
 
-      void add_bodies();
+      void
+      add_bodies();
 
-      void add_joint(const JointParameters &joint);
+      void
+      add_joint(const JointParameters &joint);
 
-      void add_clearance_joint(const JointParameters &joint,
-                               const Marker          &pin,
-                               const Marker          &bushing);
+      void
+      add_clearance_joint(const JointParameters &joint,
+                          const Marker          &pin,
+                          const Marker          &bushing);
 
-      void add_constraint(const std::shared_ptr<const Constraint> &constraint);
+      void
+      add_constraint(const std::shared_ptr<const Constraint> &constraint);
 
-      void add_spring(const SpringParameters &spring);
+      void
+      add_spring(const SpringParameters &spring);
 
-      void add_driver(const DriverParameters &driver);
+      void
+      add_driver(const DriverParameters &driver);
 
       const MechanismParameters       the_parameters;
       std::vector<NumberedConstraint> the_constraints;

@@ -25,7 +25,8 @@ namespace Tribody
 
       /// Check every entry by itself and that names are unique. References
       /// between them are checked by Mechanism. @throws ExcParameter.
-      void check() const;
+      void
+      check() const;
     };
 
     /// The same mechanism with every clearance joint made ideal.

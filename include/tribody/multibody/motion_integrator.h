@@ -57,49 +57,59 @@ namespace Tribody
 
       /// Start from a state that fulfils the constraints. Contacts that exist
       /// begin with the floor of the approach speed.
-      void start(const MechanismState &state);
+      void
+      start(const MechanismState &state);
 
       /**
        * Go on to time @p t [s], at least as late as before.
        * @param maximum_steps taken here at most. @throws ExcRun beyond.
        */
-      const MechanismState &advance_to(const double        t,
-                                       const unsigned long maximum_steps);
+      const MechanismState &
+      advance_to(const double t, const unsigned long maximum_steps);
 
       /// Contacts that began or ended since start().
-      const std::vector<ContactEvent> &events() const
+      const std::vector<ContactEvent> &
+      events() const
       {
         return the_events;
       }
 
       /// Largest total force of each clearance joint [N] at any internal step
       /// since start().
-      const std::vector<double> &peak_forces() const
+      const std::vector<double> &
+      peak_forces() const
       {
         return the_peak_forces;
       }
 
-      IntegratorStatistics statistics() const;
+      IntegratorStatistics
+      statistics() const;
 
     private:
-      ImplicitSystem make_system();
+      ImplicitSystem
+      make_system();
 
-      IdaSettings make_settings(const MotionTolerances &tolerances) const;
+      IdaSettings
+      make_settings(const MotionTolerances &tolerances) const;
 
-      void assemble_residual(const ImplicitSystem::ConstVector &y,
-                             const ImplicitSystem::ConstVector &y_t,
-                             const double                       t,
-                             ImplicitSystem::Vector            &residual);
+      void
+      assemble_residual(const ImplicitSystem::ConstVector &y,
+                        const ImplicitSystem::ConstVector &y_t,
+                        const double                       t,
+                        ImplicitSystem::Vector            &residual);
 
-      void assemble_jacobian(const ImplicitSystem::ConstVector &y,
-                             const double                       c,
-                             ImplicitSystem::Matrix            &jacobian);
+      void
+      assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                        const double                       c,
+                        ImplicitSystem::Matrix            &jacobian);
 
       // Start IDA at `current`, with accelerations from the exact equations.
-      void restart();
+      void
+      restart();
 
       // After a step: note events; make a contact onset pending.
-      void record_step(const std::vector<int> &roots);
+      void
+      record_step(const std::vector<int> &roots);
 
       const EquationsOfMotion &equations;
       const unsigned int       n;

@@ -45,9 +45,10 @@ namespace Tribody
      * micrometres in coordinates of metres. Without clearance joints, 1e-4 of
      * the mechanism's size takes the place of the penetration.
      */
-    MotionTolerances make_tolerances(const Mechanism &mechanism,
-                                     const std::vector<ReferenceScale> &scales,
-                                     const DynamicsParameters &parameters);
+    MotionTolerances
+    make_tolerances(const Mechanism                   &mechanism,
+                    const std::vector<ReferenceScale> &scales,
+                    const DynamicsParameters          &parameters);
   } // namespace Multibody
 } // namespace Tribody
 

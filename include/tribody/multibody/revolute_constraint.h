@@ -19,9 +19,11 @@ namespace Tribody
                          const Marker      &first,
                          const Marker      &second);
 
-      Eigen::Vector2d value(const double t, const PairVector &q) const override;
+      Eigen::Vector2d
+      value(const double t, const PairVector &q) const override;
 
-      Jacobian jacobian(const PairVector &q) const override;
+      Jacobian
+      jacobian(const PairVector &q) const override;
 
       PairMatrix
       weighted_hessian(const PairVector      &q,

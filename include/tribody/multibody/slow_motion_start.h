@@ -19,8 +19,8 @@ namespace Tribody
 
     /// Every pin in the middle of its bushing, with the velocities of ideal
     /// joints. @p closed: the equations with ideal joints.
-    StartingState compute_centred_start(const EquationsOfMotion &closed,
-                                        const double             t_0);
+    StartingState
+    compute_centred_start(const EquationsOfMotion &closed, const double t_0);
 
     /**
      * A start without vibration. With each pin at a prescribed eccentricity
@@ -34,10 +34,11 @@ namespace Tribody
      * @param equations with clearance joints; @param closed with ideal ones.
      * @param spacing of the five times [s], a small part of a cycle.
      */
-    StartingState compute_slow_motion_start(const EquationsOfMotion &equations,
-                                            const EquationsOfMotion &closed,
-                                            const double             t_0,
-                                            const double             spacing);
+    StartingState
+    compute_slow_motion_start(const EquationsOfMotion &equations,
+                              const EquationsOfMotion &closed,
+                              const double             t_0,
+                              const double             spacing);
   } // namespace Multibody
 } // namespace Tribody
 

@@ -27,10 +27,12 @@ namespace Tribody
 
       /// Forces on the two bodies at coordinates @p q and velocities @p v.
       /// None if the markers coincide: the direction is not defined then.
-      PairForce compute_force(const PairVector &q, const PairVector &v) const;
+      PairForce
+      compute_force(const PairVector &q, const PairVector &v) const;
 
       /// Potential energy [J], zero at the reference length.
-      double potential_energy(const PairVector &q) const;
+      double
+      potential_energy(const PairVector &q) const;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -29,10 +29,12 @@ namespace Tribody
       double damping = 0.;
 
       /// Declares in the current subsection, "Spring <name>".
-      void add_parameters(dealii::ParameterHandler &prm);
+      void
+      add_parameters(dealii::ParameterHandler &prm);
 
       /// @throws ExcParameter with paths that start with "Spring <name>".
-      void check() const;
+      void
+      check() const;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -24,9 +24,11 @@ namespace Tribody
                               const double       axis_angle,
                               const double       relative_angle);
 
-      Eigen::Vector2d value(const double t, const PairVector &q) const override;
+      Eigen::Vector2d
+      value(const double t, const PairVector &q) const override;
 
-      Jacobian jacobian(const PairVector &q) const override;
+      Jacobian
+      jacobian(const PairVector &q) const override;
 
       PairMatrix
       weighted_hessian(const PairVector      &q,
@@ -37,7 +39,8 @@ namespace Tribody
                      const Eigen::Vector2d &multipliers) const override;
 
     private:
-      Eigen::Vector2d axis(const PairVector &q) const;
+      Eigen::Vector2d
+      axis(const PairVector &q) const;
 
       const Eigen::Vector2d s_1;
       const Eigen::Vector2d s_2;

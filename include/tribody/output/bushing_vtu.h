@@ -49,11 +49,13 @@ namespace Tribody
      *
      * @throws ExcRun if the file cannot be written.
      */
-    void write_bushing_vtu(const std::string   &file_name,
-                           const BushingFields &fields);
+    void
+    write_bushing_vtu(const std::string   &file_name,
+                      const BushingFields &fields);
 
     /// Write a PVD file: @p times_and_names lists time [cycles] and VTU file.
-    void write_pvd(
+    void
+    write_pvd(
       const std::string                                 &file_name,
       const std::vector<std::pair<double, std::string>> &times_and_names);
   } // namespace Output

@@ -28,17 +28,20 @@ namespace Tribody
        * @return a message for the user if something was moved, else "".
        * @throws ExcRun if the disk refuses.
        */
-      std::string create() const;
+      std::string
+      create() const;
 
       /// Path of the file @p name here.
-      std::string file(const std::string &name) const;
+      std::string
+      file(const std::string &name) const;
 
       /// Path of the file @p name in the directory of @p joint, which is made
       /// if necessary.
-      std::string joint_file(const std::string &joint,
-                             const std::string &name) const;
+      std::string
+      joint_file(const std::string &joint, const std::string &name) const;
 
-      const std::string &path() const
+      const std::string &
+      path() const
       {
         return directory;
       }
@@ -48,9 +51,10 @@ namespace Tribody
     };
 
     /// "@p stem_0042.extension" for @p number 42.
-    std::string numbered_name(const std::string &stem,
-                              const unsigned int number,
-                              const std::string &extension);
+    std::string
+    numbered_name(const std::string &stem,
+                  const unsigned int number,
+                  const std::string &extension);
   } // namespace Output
 } // namespace Tribody
 

@@ -77,15 +77,14 @@ namespace Tribody
       double max_wear_depth_relative_error = 0.;
       /// Largest violation of the constraints [m].
       double constraint_drift = 0.;
-      /// Largest relative difference between the last two cycles of a
-      /// settling [-], and whether all settled.
+      /// How well the last duty cycle repeats [-], and whether all settled.
       double settling_difference = 0.;
       bool   all_settled         = true;
     };
 
     /// @throws ExcRun if the file cannot be written.
-    void write_summary_json(const std::string &file_name,
-                            const RunSummary  &summary);
+    void
+    write_summary_json(const std::string &file_name, const RunSummary &summary);
   } // namespace Output
 } // namespace Tribody
 

@@ -33,14 +33,16 @@ namespace Tribody
     std::vector<dealii::types::global_dof_index> x_dofs;
     std::vector<dealii::types::global_dof_index> y_dofs;
 
-    Eigen::Index n_nodes() const
+    Eigen::Index
+    n_nodes() const
     {
       return angles.size();
     }
 
     /// Unit vectors from the bore's centre to the nodes, one column each: the
     /// direction in which wear depth is counted.
-    Eigen::Matrix2Xd radial_directions() const;
+    Eigen::Matrix2Xd
+    radial_directions() const;
   };
 
   /**
@@ -50,7 +52,8 @@ namespace Tribody
    * @throws ExcRun if the boundary with the bore's id is not one closed curve
    *   around the origin.
    */
-  BoreNodes make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler);
+  BoreNodes
+  make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler);
 } // namespace Tribody
 
 #endif

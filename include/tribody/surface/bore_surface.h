@@ -33,7 +33,8 @@ namespace Tribody
     /// Area inside the curve [m^2].
     double enclosed_area = 0.;
 
-    Eigen::Index n_nodes() const
+    Eigen::Index
+    n_nodes() const
     {
       return weights.size();
     }
@@ -43,8 +44,9 @@ namespace Tribody
    * The curve of degree @p degree through @p positions [m] (2 x n,
    * counter-clockwise, n a multiple of @p degree, node 0 a vertex).
    */
-  BoreSurface make_bore_surface(const Eigen::Matrix2Xd &positions,
-                                const unsigned int      degree);
+  BoreSurface
+  make_bore_surface(const Eigen::Matrix2Xd &positions,
+                    const unsigned int      degree);
 } // namespace Tribody
 
 #endif

@@ -39,17 +39,21 @@ namespace Tribody
                      const Eigen::VectorXd &clearances);
 
     /// Clearance [m] at the @p angle [rad], any real number.
-    double clearance(const double angle) const;
+    double
+    clearance(const double angle) const;
 
-    Values evaluate(const double angle) const;
+    Values
+    evaluate(const double angle) const;
 
-    bool is_constant() const
+    bool
+    is_constant() const
     {
       return spline == nullptr;
     }
 
     /// Mean over the angle [m].
-    double mean() const
+    double
+    mean() const
     {
       return mean_clearance;
     }

@@ -24,16 +24,18 @@ namespace Tribody
       double wear_coefficient = 0.;
 
       /// Depth removed [m]. @p pressure [Pa] is not negative.
-      double depth_increment(const double pressure,
-                             const double sliding_distance) const
+      double
+      depth_increment(const double pressure,
+                      const double sliding_distance) const
       {
         return wear_coefficient * pressure * sliding_distance;
       }
 
       /// Cross-section area removed [m^2] by a nodal force per axial length
       /// @p nodal_force [N/m], not negative.
-      double area_increment(const double nodal_force,
-                            const double sliding_distance) const
+      double
+      area_increment(const double nodal_force,
+                     const double sliding_distance) const
       {
         return wear_coefficient * nodal_force * sliding_distance;
       }

@@ -26,7 +26,8 @@ namespace Tribody
       double cycles_per_step = 1.;
 
       /// Cycles of the step that starts after @p cycles_done of @p n_cycles.
-      double next_step(const double cycles_done, const double n_cycles) const;
+      double
+      next_step(const double cycles_done, const double n_cycles) const;
     };
 
     /**
@@ -40,9 +41,10 @@ namespace Tribody
      * @param wear_per_pressure k s: wear coefficient times sliding distance per
      *   cycle [m/Pa]; positive.
      */
-    double max_stable_step(const Eigen::MatrixXd &compliance,
-                           const Eigen::VectorXd &area_derivative,
-                           const double           wear_per_pressure);
+    double
+    max_stable_step(const Eigen::MatrixXd &compliance,
+                    const Eigen::VectorXd &area_derivative,
+                    const double           wear_per_pressure);
 
     /**
      * Estimate of the error that explicit Euler steps leave in the deepest
@@ -54,12 +56,14 @@ namespace Tribody
     public:
       /// A step of @p n_cycles was taken between the rates @p rate_before and
       /// @p rate_after [m per cycle], one value per node.
-      void add_step(const Eigen::VectorXd &rate_before,
-                    const Eigen::VectorXd &rate_after,
-                    const double           n_cycles);
+      void
+      add_step(const Eigen::VectorXd &rate_before,
+               const Eigen::VectorXd &rate_after,
+               const double           n_cycles);
 
       /// |error| / depth where @p depth [m] is largest; 0 if nothing is worn.
-      double relative_to(const Eigen::VectorXd &depth) const;
+      double
+      relative_to(const Eigen::VectorXd &depth) const;
 
     private:
       Eigen::VectorXd error;

@@ -30,13 +30,16 @@ namespace Tribody
       double normal_force;
 
       /// Sliding distance [m] after which the bushing is @p depth [m] deep.
-      double sliding_distance(const double depth) const;
+      double
+      sliding_distance(const double depth) const;
 
       /// Maximum depth [m] after @p sliding_distance [m].
-      double depth(const double sliding_distance) const;
+      double
+      depth(const double sliding_distance) const;
 
       /// Worn volume [m^3] at the maximum depth @p depth [m].
-      double volume(const double depth) const;
+      double
+      volume(const double depth) const;
     };
   } // namespace Wear
 } // namespace Tribody

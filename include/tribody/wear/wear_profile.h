@@ -27,7 +27,8 @@ namespace Tribody
       unsigned int degree = 1;
 
       /// The worn bore.
-      BoreSurface surface() const;
+      BoreSurface
+      surface() const;
 
       /**
        * What the depth grows by when node i loses the cross-section area
@@ -42,16 +43,19 @@ namespace Tribody
       depth_for_removed_area(const BoreSurface     &surface,
                              const Eigen::VectorXd &removed_area) const;
 
-      double max_depth() const;
+      double
+      max_depth() const;
 
       /// Node where the wear is deepest.
-      Eigen::Index deepest_node() const;
+      Eigen::Index
+      deepest_node() const;
     };
 
     /// An unworn profile.
-    WearProfile make_wear_profile(const Eigen::Matrix2Xd &positions,
-                                  const Eigen::Matrix2Xd &normals,
-                                  const unsigned int      degree);
+    WearProfile
+    make_wear_profile(const Eigen::Matrix2Xd &positions,
+                      const Eigen::Matrix2Xd &normals,
+                      const unsigned int      degree);
 
     /**
      * Amplitude of the mesh-size oscillation in a field on the bore, relative
@@ -61,7 +65,8 @@ namespace Tribody
      * node distance) where all five values are positive, so that the edge of
      * contact does not count. Zero for a field that vanishes.
      */
-    double mesh_oscillation(const Eigen::VectorXd &values);
+    double
+    mesh_oscillation(const Eigen::VectorXd &values);
   } // namespace Wear
 } // namespace Tribody
 

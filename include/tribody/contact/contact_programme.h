@@ -1,0 +1,55 @@
+#ifndef tribody_contact_contact_programme_h
+#define tribody_contact_contact_programme_h
+
+#include <tribody/contact/contact_solution.h>
+
+namespace Tribody
+{
+  namespace Contact
+  {
+    /**
+     * The contact problem with the gap linearised about a pin centre, a convex
+     * quadratic programme,
+     * @f[ \min_{\lambda \ge 0} \tfrac12 \lambda^T C \lambda + g^T \lambda
+     *     \quad\text{subject to}\quad \sum_i \lambda_i m_i = f, @f]
+     * whose multiplier is the step d of the pin. Without a free pin the
+     * constraint and d are missing.
+     */
+    struct ContactProgramme
+    {
+      const Eigen::MatrixXd  &compliance;
+      const Eigen::VectorXd  &gap;
+      const Eigen::Matrix2Xd &directions;
+      bool                    pin_is_free;
+      /// f [N/m]; not read unless the pin is free.
+      Eigen::Vector2d force;
+      /// A gap is open if it is larger than minus this [m].
+      double gap_tolerance;
+      /// The same as a fraction of the largest elastic displacement [-].
+      double relative_tolerance;
+    };
+
+    /// What solves a ContactProgramme.
+    struct ContactProgrammeSolution
+    {
+      Eigen::VectorXd nodal_force;
+      Eigen::Vector2d pin_step = Eigen::Vector2d::Zero();
+      ActiveSet       active_set;
+      SolverReport    report;
+    };
+
+    /**
+     * Solve by a primal active-set method that changes one node at a time: the
+     * objective never rises, and when a step is blocked at once the node with
+     * the smallest index goes first (Bland's rule), so no active set can come
+     * twice. See @cite nocedal2006, algorithm 16.3.
+     *
+     * Slow (one factorisation per node that enters or leaves) but certain: for
+     * when the Newton iteration cycles.
+     */
+    ContactProgrammeSolution
+    solve_contact_programme(const ContactProgramme &programme);
+  } // namespace Contact
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,119 @@
+#ifndef tribody_contact_contact_solver_h
+#define tribody_contact_contact_solver_h
+
+#include <Eigen/Core>
+
+#include <tribody/contact/active_compliance.h>
+#include <tribody/contact/contact_solution.h>
+#include <tribody/contact/contact_solver_parameters.h>
+#include <tribody/surface/bore_surface.h>
+
+namespace Tribody
+{
+  namespace Contact
+  {
+    struct PinGap;
+
+    /**
+     * Frictionless contact of a rigid round pin with an elastic bore, reduced
+     * to the bore's nodes. With nodal forces @f$\lambda_i@f$, the bore's normal
+     * compliance C and the exact gap of PinGap at the pin centre e:
+     * @f[ g_i = |x_i - e| - R + (C\lambda)_i \ge 0, \quad \lambda_i \ge 0,
+     *     \quad \lambda_i g_i = 0, \quad \sum_i \lambda_i m_i(e) = F/L. @f]
+     * C belongs to the fixed normals of the undeformed surface, m_i is the
+     * gradient of the gap, so that the problem has a potential. In conforming
+     * contact both agree to the elastic slope.
+     *
+     * Method: primal-dual active set, which is Newton's method for the
+     * conditions above (@cite hintermueller2002), with the second derivative
+     * of the gap in its matrix: the contact force as a function of e is
+     * differentiated exactly. Each iteration factorises C of the nodes in
+     * contact (kept if they did not change). If an active set comes back, or
+     * after max_iterations, a ContactProgramme is solved instead, once
+     * if the pin is fixed, else repeatedly, linearised about its last result.
+     *
+     * The object keeps the last factor: use one per thread; results do not
+     * depend on what was solved before.
+     */
+    class ContactSolver
+    {
+    public:
+      /**
+       * @param surface of the undeformed, worn bore.
+       * @param compliance C [m per N/m] for the normals of @p surface.
+       * @param pin_radius R [m].
+       */
+      ContactSolver(const BoreSurface             &surface,
+                    const Eigen::MatrixXd         &compliance,
+                    const double                   pin_radius,
+                    const ContactSolverParameters &parameters = {});
+
+      /**
+       * The contact under a given force [N/m] of the pin on the bushing. Under
+       * zero force the pin is centred and touches nothing.
+       *
+       * @param warm_start a solution for a similar force, or nullptr.
+       * @return also without convergence, which its report tells.
+       */
+      ContactSolution
+      solve_force_controlled(const Eigen::Vector2d &force_per_length,
+                             const ContactSolution *warm_start = nullptr);
+
+      /// The contact with the pin's centre at @p pin_centre [m]; the force is
+      /// a result.
+      ContactSolution
+      solve_position_controlled(const Eigen::Vector2d &pin_centre,
+                                const ContactSolution *warm_start = nullptr);
+
+      const BoreSurface &
+      bore_surface() const
+      {
+        return surface;
+      }
+
+    private:
+      /// What the iterations change.
+      struct Iterate
+      {
+        Eigen::Vector2d pin_centre = Eigen::Vector2d::Zero();
+        Eigen::VectorXd nodal_force;
+        ActiveSet       active_set;
+      };
+
+      Iterate
+      first_iterate(const Eigen::Vector2d &direction,
+                    const ContactSolution *warm_start) const;
+
+      SolverReport
+      iterate_pin_and_forces(const Eigen::Vector2d &force, Iterate &iterate);
+
+      void
+      newton_step(const Eigen::Vector2d &force,
+                  const PinGap          &pin,
+                  Iterate               &iterate);
+
+      SolverReport
+      iterate_forces(Iterate &iterate);
+
+      bool
+      solve_programme(const Eigen::Vector2d *force, Iterate &iterate) const;
+
+      Eigen::VectorXd
+      compute_elastic_displacement(const Iterate &iterate) const;
+
+      double
+      gap_tolerance(const Eigen::VectorXd &elastic_displacement) const;
+
+      ContactSolution
+      make_solution(const Iterate &iterate, const SolverReport &report) const;
+
+      BoreSurface             surface;
+      Eigen::MatrixXd         compliance;
+      double                  pin_radius;
+      ContactSolverParameters parameters;
+      ActiveCompliance        active_compliance;
+    };
+  } // namespace Contact
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef tribody_coupling_bushing_parameters_h
+#define tribody_coupling_bushing_parameters_h
+
+#include <tribody/elasticity/ring_mesh.h>
+#include <tribody/output/summary.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /**
+     * The bushing of a revolute joint with clearance, as a body that deforms
+     * and wears. Its bore radius and its material are the joint's.
+     */
+    struct BushingParameters
+    {
+      /// Name of the joint that the bushing belongs to.
+      std::string name;
+      /// Length along the axis of the joint [m].
+      double axial_length = 10e-3;
+      /// Radius of the rim, by which it is held [m].
+      double outer_radius = 16e-3;
+      /// "plane strain" or "plane stress".
+      std::string plane_state = "plane strain";
+      /// Polynomial degree of the elements.
+      unsigned int element_degree = 2;
+      /// How finely it is meshed.
+      Elasticity::RingMeshParameters mesh;
+      /// Archard's k [Pa^-1].
+      double wear_coefficient = 0.;
+      /// Values that the results are shown beside.
+      Output::Comparison comparison;
+
+      /// Declares in the current subsection, "Bushing <name>".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @param bore_radius of the joint [m].
+      /// @throws ExcParameter with paths that start with "Bushing <name>".
+      void
+      check(const double bore_radius) const;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

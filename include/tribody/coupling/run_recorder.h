@@ -1,0 +1,92 @@
+#ifndef tribody_coupling_run_recorder_h
+#define tribody_coupling_run_recorder_h
+
+#include <tribody/base/console.h>
+#include <tribody/base/table_writer.h>
+#include <tribody/coupling/case_parameters.h>
+#include <tribody/coupling/run_state.h>
+#include <tribody/output/output_directory.h>
+
+#include <chrono>
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /**
+     * Writes down what a run does while it goes: history, duty cycles,
+     * profiles and VTU files in the output directory, progress on the console.
+     * Knows nothing of how the numbers come about.
+     */
+    class RunRecorder
+    {
+    public:
+      /// Nothing is written before start(), and nothing at all unless
+      /// @p is_first_rank.
+      RunRecorder(const CaseParameters          &parameters,
+                  const Output::OutputDirectory &directory,
+                  Console                       &console,
+                  const bool                     is_first_rank);
+
+      /// Make the output directory, open the log, write parameters.prm.
+      void
+      start();
+
+      /// Write down @p state, which was reached by the wear step
+      /// state.counts.wear_steps.
+      void
+      record(const RunState &state, const std::list<WearingBushing> &bushings);
+
+      /// Write the fields of @p state now, if record() has not just done so:
+      /// for a run that ends before its time.
+      void
+      record_fields(const RunState                  &state,
+                    const std::list<WearingBushing> &bushings);
+
+      /// Seconds since start().
+      double
+      wall_time() const;
+
+    private:
+      void
+      open_history();
+
+      void
+      write_history_row(const RunState                  &state,
+                        const std::list<WearingBushing> &bushings);
+
+      void
+      write_duty_cycles(const Multibody::DutyCycle &duty_cycle) const;
+
+      void
+      write_bushing(const RunState       &state,
+                    const WearingBushing &bushing,
+                    const CycleContact   &contact);
+
+      void
+      print_progress(const RunState                  &state,
+                     const std::list<WearingBushing> &bushings);
+
+      const CaseParameters          &parameters;
+      const Output::OutputDirectory &directory;
+      Console                       &console;
+      bool                           writes;
+
+      std::unique_ptr<TableWriter> history;
+      /// Fields written so far, and at which cycle the last were.
+      unsigned int n_outputs      = 0;
+      double       last_output_at = -1.;
+      /// VTU files by cycle, for each bushing.
+      std::vector<std::vector<std::pair<double, std::string>>> vtu_files;
+
+      std::chrono::steady_clock::time_point started_at;
+      std::chrono::steady_clock::time_point progress_printed_at;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

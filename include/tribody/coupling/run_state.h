@@ -1,0 +1,54 @@
+#ifndef tribody_coupling_run_state_h
+#define tribody_coupling_run_state_h
+
+#include <tribody/coupling/wearing_bushing.h>
+#include <tribody/multibody/duty_cycle.h>
+#include <tribody/wear/constant_extrapolation.h>
+
+#include <deque>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /// What a run adds up for one bushing.
+    struct BushingTotals
+    {
+      /// Wear coefficient times the integral of pressure over area and
+      /// distance [m^3]: what Archard's law has removed.
+      double removed_volume = 0.;
+      /// Distance that the pin has slid [m].
+      double                   sliding_distance = 0.;
+      Wear::EulerErrorEstimate error_estimate;
+    };
+
+    /// What a run counts.
+    struct RunCounts
+    {
+      unsigned int wear_steps       = 0;
+      unsigned int rate_evaluations = 0;
+      unsigned int dynamics_cycles  = 0;
+      unsigned int contact_solves   = 0;
+    };
+
+    /// Where a run stands; lists have one entry per bushing.
+    struct RunState
+    {
+      double                     cycles = 0.;
+      Multibody::DutyCycle       duty_cycle;
+      std::vector<CycleContact>  contacts;
+      std::vector<BushingTotals> totals;
+      RunCounts                  counts;
+      /// Over all duty cycles so far: losses of contact per joint, largest
+      /// drift [m], and whether all had settled.
+      std::vector<unsigned int> contact_losses;
+      double                    constraint_drift = 0.;
+      bool                      all_settled      = true;
+      /// Cycles up to which an explicit wear step is stable.
+      double max_stable_step = 0.;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,94 @@
+#ifndef tribody_coupling_wear_simulation_h
+#define tribody_coupling_wear_simulation_h
+
+#include <deal.II/base/timer.h>
+
+#include <tribody/base/console.h>
+#include <tribody/coupling/case_parameters.h>
+#include <tribody/coupling/run_recorder.h>
+#include <tribody/coupling/run_state.h>
+#include <tribody/coupling/wearing_bushing.h>
+#include <tribody/multibody/cycle_simulation.h>
+#include <tribody/multibody/mechanism.h>
+#include <tribody/output/output_directory.h>
+#include <tribody/output/summary.h>
+
+#include <list>
+#include <mpi.h>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /**
+     * The chain: dynamics of one cycle, contact pressure in the bushings,
+     * Archard's law, extrapolation over many cycles, worn geometry, and round
+     * again (sections 2.3 and 3 of @cite mukras2010). What each of these does
+     * is the matter of its module; here they only pass plain values on.
+     */
+    class WearSimulation
+    {
+    public:
+      /**
+       * Build everything: mechanism, meshes, compliances.
+       * @param parameters must outlive this object.
+       * @throws ExcRun if the mechanism cannot be assembled or a mesh made.
+       */
+      WearSimulation(const CaseParameters &parameters,
+                     Console              &console,
+                     const MPI_Comm       &communicator);
+
+      /// Say what was built; change and write nothing. For --check.
+      void
+      print_setup();
+
+      /**
+       * Run all cycles and write the results to @p directory, the summary last.
+       * @throws ExcRun if a part fails; the results up to there and a summary
+       *   with the status "failed" are written first.
+       */
+      void
+      run(const Output::OutputDirectory &directory);
+
+    private:
+      void
+      run_cycles(RunRecorder &recorder);
+
+      /// One settled cycle of the mechanism with its worn joints.
+      void
+      run_dynamics();
+
+      /// Contact and wear per cycle in every bushing.
+      void
+      solve_contacts();
+
+      /// Cycles of the next wear step.
+      double
+      choose_wear_step();
+
+      /// Let every bushing wear for @p n_cycles.
+      void
+      wear(const double n_cycles);
+
+      void
+      write_summary(const Output::OutputDirectory &directory,
+                    RunRecorder                   &recorder,
+                    const std::string             &status,
+                    const std::string             &message);
+
+      const CaseParameters      &parameters;
+      Console                   &console;
+      MPI_Comm                   communicator;
+      dealii::TimerOutput        timer;
+      Multibody::Mechanism       mechanism;
+      Multibody::CycleSimulation dynamics;
+      std::list<WearingBushing>  bushings;
+      RunState                   state;
+      /// Compliance builds that state.max_stable_step belongs to.
+      unsigned int stable_step_builds     = 0;
+      bool         unstable_step_reported = false;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,118 @@
+#ifndef tribody_elasticity_bushing_elasticity_h
+#define tribody_elasticity_bushing_elasticity_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <Eigen/Core>
+
+#include <tribody/elasticity/plane_state.h>
+#include <tribody/surface/bore_nodes.h>
+
+#include <memory>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class Mapping;
+  template <typename Number>
+  class Vector;
+} // namespace dealii
+
+namespace Tribody
+{
+  class DirectSolver;
+
+  namespace Elasticity
+  {
+    /**
+     * The linear elasticity of one bushing, clamped at its rim and loaded by
+     * nodal forces in its bore,
+     * @f[ \int_\Omega \sigma(u) : \varepsilon(v)\,dx
+     *     = \sum_i f_i \cdot v(x_i) \quad \forall v, \qquad u|_{rim} = 0, @f]
+     * per length along the axis. The domain is the image of the mesh under a
+     * mapping, so that a worn bushing needs no other mesh. Displacements are
+     * small.
+     *
+     * Use: construct once per mesh, reinit() per geometry, then
+     * normal_compliance() for the contact and solve() for output. The stiffness
+     * is assembled and factorised once per geometry. For 180 by 10 quadratic
+     * cells this takes 0.3 s and the compliance 0.7 s.
+     */
+    class BushingElasticity
+    {
+    public:
+      /// @param degree of the elements, 1 to 3.
+      BushingElasticity(const dealii::Triangulation<2, 2> &triangulation,
+                        const unsigned int                 degree,
+                        const Material                    &material,
+                        const PlaneState                   plane_state);
+
+      ~BushingElasticity();
+
+      /// Assemble the stiffness on the image of the mesh under @p mapping and
+      /// factorise it.
+      void
+      reinit(const dealii::Mapping<2, 2> &mapping);
+
+      /**
+       * The displacement of every bore node along its normal under a unit
+       * force along the normal of another one: @f$ C_{ij} = n_i \cdot u_j(x_i)
+       * @f$ [m per N/m], symmetric and positive definite, what the contact
+       * needs to know about the bushing.
+       *
+       * @param normals unit vectors, one column for each bore node.
+       * @throws ExcRun if the result is not symmetric to rounding.
+       */
+      Eigen::MatrixXd
+      normal_compliance(const Eigen::Matrix2Xd &normals) const;
+
+      /// Displacement [m] under forces at the bore nodes [N/m], one column
+      /// each.
+      dealii::Vector<double>
+      solve(const Eigen::Matrix2Xd &nodal_forces) const;
+
+      const dealii::DoFHandler<2, 2> &
+      get_dof_handler() const
+      {
+        return dof_handler;
+      }
+
+      const BoreNodes &
+      bore_nodes() const
+      {
+        return nodes;
+      }
+
+      /// The stiffness [Pa], with the rows and columns of the rim replaced by
+      /// diagonal entries.
+      const dealii::TrilinosWrappers::SparseMatrix &
+      system_matrix() const
+      {
+        return stiffness;
+      }
+
+      const PlaneHooke &
+      hooke() const
+      {
+        return law;
+      }
+
+    private:
+      void
+      assemble(const dealii::Mapping<2, 2> &mapping);
+
+      PlaneHooke                             law;
+      dealii::FESystem<2>                    fe;
+      dealii::DoFHandler<2, 2>               dof_handler;
+      dealii::AffineConstraints<double>      constraints;
+      BoreNodes                              nodes;
+      dealii::TrilinosWrappers::SparseMatrix stiffness;
+      std::unique_ptr<DirectSolver>          solver;
+    };
+  } // namespace Elasticity
+} // namespace Tribody
+
+#endif

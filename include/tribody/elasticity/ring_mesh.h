@@ -1,0 +1,55 @@
+#ifndef tribody_elasticity_ring_mesh_h
+#define tribody_elasticity_ring_mesh_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+  template <int dim, int spacedim>
+  class Triangulation;
+} // namespace dealii
+
+namespace Tribody
+{
+  namespace Elasticity
+  {
+    /**
+     * How finely a bushing is meshed. The defaults reproduce the peak pressure
+     * of the validation joint to 0.1 % with quadratic elements
+     * (tests/contact/bushing_contact_01).
+     */
+    struct RingMeshParameters
+    {
+      /// Cells around the bore [-].
+      unsigned int n_bore_cells = 180;
+      /// Layers of cells from bore to rim [-].
+      unsigned int n_radial_cells = 6;
+      /// Grading from the bore outward [-]; 0 makes all layers equally thick.
+      double grading = 1.5;
+
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @param path of the subsection, for the message.
+      /// @throws ExcParameter for a value that cannot be meshed.
+      void
+      check(const std::string &path) const;
+    };
+
+    /**
+     * Mesh the ring @p inner_radius < |x| < @p outer_radius [m] with
+     * BoundaryIds on bore and rim and a spherical manifold everywhere. The
+     * radii of the layers are
+     * @f[ r_k = r_o - (r_o - r_i)\,\frac{\tanh(\gamma (1 - k/n))}{\tanh\gamma}
+     * @f] with the grading @f$\gamma@f$.
+     */
+    void
+    make_ring_mesh(const RingMeshParameters    &parameters,
+                   const double                 inner_radius,
+                   const double                 outer_radius,
+                   dealii::Triangulation<2, 2> &triangulation);
+  } // namespace Elasticity
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,134 @@
+#ifndef tribody_geometry_worn_configuration_h
+#define tribody_geometry_worn_configuration_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q_eulerian.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <Eigen/Core>
+
+#include <tribody/surface/bore_nodes.h>
+
+#include <memory>
+#include <string>
+
+namespace Tribody
+{
+  class DirectSolver;
+
+  namespace Geometry
+  {
+    /**
+     * The shape of a worn bushing: the as-manufactured mesh, moved by a
+     * displacement w that removes the wear depth h from the bore,
+     * @f[ \Delta w = 0, \qquad
+     *     w(x_i) = h_i\,x_i/|x_i| \text{ in the bore}, \qquad
+     *     w = 0 \text{ at the rim}, @f]
+     * and offered as a mapping of the mesh. It is always rebuilt from the total
+     * depth, so nothing drifts. This displacement has nothing to do with the
+     * elastic one.
+     *
+     * MappingQEulerian moves straight-sided cells. To keep bore and rim round,
+     * its vector holds the curvature as well as the wear: it is the position
+     * on the manifold, minus that in the straight-sided cell, plus w. It also
+     * keeps pointers to vector and DoFHandler, which therefore live here,
+     * in one object that is neither copied nor moved.
+     */
+    class WornConfiguration
+    {
+    public:
+      /**
+       * No wear yet.
+       * @param degree of the mapping, 1 to 3; that of the elements used on it.
+       * @param bushing_name for messages.
+       */
+      WornConfiguration(const dealii::Triangulation<2, 2> &triangulation,
+                        const unsigned int                 degree,
+                        const std::string                 &bushing_name);
+
+      ~WornConfiguration();
+
+      WornConfiguration(const WornConfiguration &) = delete;
+      WornConfiguration &
+      operator=(const WornConfiguration &) = delete;
+
+      /**
+       * Take the shape that belongs to the total wear depth [m] at the bore
+       * nodes, counted radially.
+       *
+       * @throws ExcRun if a cell would be turned inside out at one of its
+       *   quadrature points or nodes; the shape is then what it was before.
+       */
+      void
+      update(const Eigen::VectorXd &wear_depth);
+
+      /// Onto the worn bushing. Valid as long as this object; follows update().
+      const dealii::Mapping<2, 2> &
+      mapping() const
+      {
+        return *worn_mapping;
+      }
+
+      /// The bore nodes as manufactured.
+      const BoreNodes &
+      bore_nodes() const
+      {
+        return nodes;
+      }
+
+      /// Positions of the bore nodes on the worn mapping [m], one column each.
+      Eigen::Matrix2Xd
+      worn_positions() const;
+
+      /// Area of the worn ring [m^2], by quadrature over its cells.
+      double
+      area() const;
+
+      /// The displacement w [m] by wear alone, for output.
+      const dealii::Vector<double> &
+      wear_displacement() const
+      {
+        return wear;
+      }
+
+      const dealii::DoFHandler<2, 2> &
+      get_dof_handler() const
+      {
+        return dof_handler;
+      }
+
+    private:
+      void
+      setup_extension();
+
+      dealii::Vector<double>
+      compute_extension(const Eigen::VectorXd &wear_depth) const;
+
+      void
+      check_cells(const dealii::Vector<double> &displacement,
+                  const double                  max_wear_depth) const;
+
+      std::string                            name;
+      dealii::FESystem<2>                    fe;
+      dealii::DoFHandler<2, 2>               dof_handler;
+      dealii::AffineConstraints<double>      hanging_nodes;
+      dealii::AffineConstraints<double>      fixed_boundary;
+      BoreNodes                              nodes;
+      dealii::TrilinosWrappers::SparseMatrix laplace;
+      dealii::TrilinosWrappers::SparseMatrix constrained_laplace;
+      std::unique_ptr<DirectSolver>          solver;
+
+      /// Manifold minus straight-sided cells.
+      dealii::Vector<double> curvature;
+      dealii::Vector<double> wear;
+      /// What the mapping adds to the straight-sided cells: curvature + wear.
+      dealii::Vector<double>                       mesh_displacement;
+      std::unique_ptr<dealii::MappingQEulerian<2>> worn_mapping;
+    };
+  } // namespace Geometry
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,179 @@
+#include <Eigen/LU>
+
+#include <tribody/contact/active_compliance.h>
+#include <tribody/contact/contact_programme.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Tribody
+{
+  namespace Contact
+  {
+    namespace
+    {
+      /// Two neighbouring nodes that carry the whole force: the first point
+      /// that satisfies the constraint.
+      void
+      carry_by_two_nodes(const ContactProgramme   &programme,
+                         ContactProgrammeSolution &solution)
+      {
+        const auto        &m = programme.directions;
+        const Eigen::Index n = m.cols();
+        // All zero forces are carried by no node.
+        if (programme.force.norm() == 0.)
+          return;
+        for (Eigen::Index i = 0; i < n; ++i)
+          {
+            const Eigen::Index j = (i + 1) % n;
+            Eigen::Matrix2d    pair;
+            pair << m.col(i), m.col(j);
+            const Eigen::Vector2d share = pair.inverse() * programme.force;
+            if (m.col(i).dot(programme.force) > 0. && share[0] >= 0. &&
+                share[1] >= 0.)
+              {
+                solution.nodal_force[i] = share[0];
+                solution.nodal_force[j] = share[1];
+                solution.active_set     = {std::min(i, j), std::max(i, j)};
+                return;
+              }
+          }
+      }
+
+      /// The minimum with the forces of all other nodes zero, signs ignored.
+      Eigen::VectorXd
+      minimise_over(const ActiveSet        &active,
+                    const ContactProgramme &programme,
+                    ActiveCompliance       &factor,
+                    Eigen::Vector2d        &pin_step)
+      {
+        pin_step.setZero();
+        if (active.empty())
+          return Eigen::VectorXd();
+        factor.update(programme.compliance, active);
+        const Eigen::VectorXd gap = programme.gap(active);
+        if (!programme.pin_is_free)
+          return -factor.solve(gap);
+
+        const Eigen::MatrixX2d m =
+          programme.directions(Eigen::all, active).transpose();
+        const Eigen::MatrixX2d y         = factor.solve(m);
+        const Eigen::VectorXd  z         = factor.solve(gap);
+        Eigen::Matrix2d        stiffness = m.transpose() * y;
+        // One node alone does not hold the pin sideways.
+        stiffness.diagonal().array() += 1e-12 * stiffness.trace();
+        stiffness = stiffness.inverse().eval();
+        pin_step  = stiffness * (programme.force + m.transpose() * z);
+        // The difference of two large terms balances the force to their
+        // rounding only.
+        Eigen::VectorXd forces = y * pin_step - z;
+        forces += y * (stiffness * (programme.force - m.transpose() * forces));
+        return forces;
+      }
+
+      /// The node that the optimality conditions want in contact, or -1.
+      Eigen::Index
+      find_entering(const ContactProgramme         &programme,
+                    const ContactProgrammeSolution &solution,
+                    const bool                      smallest_index)
+      {
+        Eigen::VectorXd gap       = programme.compliance * solution.nodal_force;
+        const double    tolerance = std::max(programme.gap_tolerance,
+                                          programme.relative_tolerance *
+                                            gap.lpNorm<Eigen::Infinity>());
+        gap +=
+          programme.gap - programme.directions.transpose() * solution.pin_step;
+        Eigen::Index entering = -1;
+        double       deepest  = -tolerance;
+        for (Eigen::Index i = 0; i < gap.size(); ++i)
+          if (gap[i] < deepest &&
+              !std::binary_search(solution.active_set.begin(),
+                                  solution.active_set.end(),
+                                  i))
+            {
+              entering = i;
+              deepest  = gap[i];
+              if (smallest_index)
+                break;
+            }
+        return entering;
+      }
+
+      /// Go towards @p target as far as no force turns into tension; the node
+      /// that stops the way leaves the active set. Returns the length of the
+      /// way in [0, 1].
+      double
+      advance(const Eigen::VectorXd &target, ContactProgrammeSolution &solution)
+      {
+        auto       &active   = solution.active_set;
+        double      length   = 1.;
+        std::size_t blocking = active.size();
+        for (std::size_t k = 0; k < active.size(); ++k)
+          if (target[k] < 0.)
+            {
+              const double old  = solution.nodal_force[active[k]];
+              const double stop = old / (old - target[k]);
+              if (stop < length)
+                {
+                  length   = stop;
+                  blocking = k;
+                }
+            }
+        for (std::size_t k = 0; k < active.size(); ++k)
+          {
+            double &force = solution.nodal_force[active[k]];
+            force         = std::max(0., force + length * (target[k] - force));
+          }
+        if (blocking < active.size())
+          {
+            solution.nodal_force[active[blocking]] = 0.;
+            active.erase(active.begin() + blocking);
+          }
+        return length;
+      }
+    } // namespace
+
+
+
+    ContactProgrammeSolution
+    solve_contact_programme(const ContactProgramme &programme)
+    {
+      const Eigen::Index       n = programme.gap.size();
+      ContactProgrammeSolution solution;
+      solution.nodal_force = Eigen::VectorXd::Zero(n);
+      if (programme.pin_is_free)
+        carry_by_two_nodes(programme, solution);
+
+      ActiveCompliance factor;
+      bool             was_blocked_at_once = false;
+      const auto       max_iterations      = static_cast<unsigned int>(20 * n);
+      for (auto &i = solution.report.n_iterations; i < max_iterations;)
+        {
+          ++i;
+          const Eigen::VectorXd target = minimise_over(solution.active_set,
+                                                       programme,
+                                                       factor,
+                                                       solution.pin_step);
+          const double          length = advance(target, solution);
+          if (length < 1.)
+            {
+              was_blocked_at_once = was_blocked_at_once || (length == 0.);
+              continue;
+            }
+          const Eigen::Index entering =
+            find_entering(programme, solution, was_blocked_at_once);
+          if (entering < 0)
+            {
+              solution.report.converged = true;
+              return solution;
+            }
+          auto &active = solution.active_set;
+          active.insert(
+            std::upper_bound(active.begin(), active.end(), entering), entering);
+        }
+      solution.report.message = "the quadratic programme needs more than " +
+                                std::to_string(max_iterations) + " steps";
+      return solution;
+    }
+  } // namespace Contact
+} // namespace Tribody

@@ -1,0 +1,123 @@
+#include <tribody/contact/contact_solution.h>
+#include <tribody/surface/bore_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace Tribody
+{
+  namespace Contact
+  {
+    namespace
+    {
+      /// From @p direction counter-clockwise to @p other, in [0, 2 pi).
+      double
+      turn(const Eigen::Vector2d &direction, const Eigen::Vector2d &other)
+      {
+        const double sine   = direction[0] * other[1] - direction[1] * other[0];
+        const double cosine = direction.dot(other);
+        const double angle  = std::atan2(sine, cosine);
+        return angle < 0. ? angle + 2. * M_PI : angle;
+      }
+
+      /**
+       * How far the end of contact lies beyond the last node in contact, seen
+       * from the pin's centre [rad], not negative.
+       *
+       * @param last node in contact.
+       * @param outward +1 if the contact ends counter-clockwise, else -1.
+       */
+      double
+      overhang(const ContactSolution &solution,
+               const BoreSurface     &surface,
+               const Eigen::Index     last,
+               const int              outward)
+      {
+        const Eigen::Index n    = surface.n_nodes();
+        const auto         node = [&](const int steps) {
+          return (last + n + outward * steps) % n;
+        };
+        const auto angle_to = [&](const int steps) {
+          const Eigen::Vector2d from =
+            surface.positions.col(last) - solution.pin_centre;
+          const Eigen::Vector2d to =
+            surface.positions.col(node(steps)) - solution.pin_centre;
+          const double angle = turn(from, to);
+          return outward * (angle > M_PI ? angle - 2. * M_PI : angle);
+        };
+
+        const double spacing = angle_to(+1);
+        if (solution.active_set.size() < 6)
+          return 0.5 * spacing;
+        const double near = std::pow(solution.pressure[node(-1)], 2);
+        const double far  = std::pow(solution.pressure[node(-2)], 2);
+        if (far <= near)
+          return 0.5 * spacing;
+        const double end =
+          angle_to(-1) + near / (far - near) * (angle_to(-1) - angle_to(-2));
+        return std::clamp(end, 0., spacing);
+      }
+    } // namespace
+
+
+
+    double
+    contact_half_angle(const ContactSolution &solution,
+                       const BoreSurface     &surface)
+    {
+      const auto       &active = solution.active_set;
+      const std::size_t m      = active.size();
+      if (m == 0)
+        return 0.;
+      if (m == static_cast<std::size_t>(surface.n_nodes()))
+        return M_PI;
+
+      // The contact lies between the two ends of the widest opening.
+      std::size_t before_opening = 0;
+      double      widest         = -1.;
+      for (std::size_t k = 0; k < m; ++k)
+        {
+          const Eigen::Vector2d from =
+            surface.positions.col(active[k]) - solution.pin_centre;
+          const Eigen::Vector2d to =
+            surface.positions.col(active[(k + 1) % m]) - solution.pin_centre;
+          const double opening = (m == 1) ? 2. * M_PI : turn(from, to);
+          if (opening > widest)
+            {
+              widest         = opening;
+              before_opening = k;
+            }
+        }
+      const Eigen::Index last  = active[before_opening];
+      const Eigen::Index first = active[(before_opening + 1) % m];
+      return 0.5 * (2. * M_PI - widest + overhang(solution, surface, last, +1) +
+                    overhang(solution, surface, first, -1));
+    }
+
+
+
+    double
+    peak_pressure(const ContactSolution &solution, const BoreSurface &surface)
+    {
+      // Least squares over equidistant points (Savitzky and Golay, 1964).
+      const Eigen::Index           n       = surface.n_nodes();
+      constexpr std::array<int, 5> weights = {{-3, 12, 17, 12, -3}};
+      double                       peak    = 0.;
+      for (const Eigen::Index i : solution.active_set)
+        {
+          double fitted     = 0.;
+          bool   surrounded = true;
+          for (int k = 0; k < 5; ++k)
+            {
+              const double p = solution.pressure[(i + k - 2 + n) % n];
+              fitted += weights[k] / 35. * p;
+              surrounded = surrounded && p > 0.;
+            }
+          if (surrounded)
+            peak = std::max(peak, fitted);
+        }
+      return peak > 0. ? peak : solution.pressure.maxCoeff();
+    }
+  } // namespace Contact
+} // namespace Tribody

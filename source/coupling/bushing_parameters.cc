@@ -1,0 +1,100 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
+#include <tribody/coupling/bushing_parameters.h>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    void
+    BushingParameters::add_parameters(dealii::ParameterHandler &prm)
+    {
+      Parameters::add_quantity(prm,
+                               "Axial length",
+                               axial_length,
+                               "m",
+                               "Length of the bushing along the axis of the "
+                               "joint, positive.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Outer radius",
+                               outer_radius,
+                               "m",
+                               "Radius of the rim, which is held without "
+                               "moving; larger than the joint's bushing "
+                               "radius.",
+                               "mm");
+      Parameters::add_choice(
+        prm,
+        "Plane state",
+        plane_state,
+        {"plane strain", "plane stress"},
+        "Plane strain for a bushing that is long, or held, "
+        "along its axis; plane stress for a thin one.");
+      Parameters::add_integer(prm,
+                              "Element degree",
+                              element_degree,
+                              "Polynomial degree of displacement and "
+                              "geometry.",
+                              1,
+                              3);
+      Parameters::add_quantity(prm,
+                               "Wear coefficient",
+                               wear_coefficient,
+                               "Pa^-1",
+                               "Archard's k: worn volume per normal force and "
+                               "sliding distance, not negative.",
+                               "mm^3/(N m)");
+      Parameters::add_text(prm,
+                           "Comparison source",
+                           comparison.source,
+                           "Where the two comparison values come from and what "
+                           "they are worth. They are shown beside the result "
+                           "and used for nothing else; empty: none.");
+      Parameters::add_quantity(prm,
+                               "Comparison maximum depth",
+                               comparison.max_wear_depth,
+                               "m",
+                               "A maximum wear depth to show beside the "
+                               "result; 0: none.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Comparison worn mass",
+                               comparison.worn_mass,
+                               "kg",
+                               "A worn mass to show beside the result; 0: "
+                               "none.",
+                               "g");
+      prm.enter_subsection("Mesh");
+      mesh.add_parameters(prm);
+      prm.leave_subsection();
+    }
+
+
+
+    void
+    BushingParameters::check(const double bore_radius) const
+    {
+      const std::string path = "Bushing " + name + "/";
+      AssertThrow(axial_length > 0.,
+                  ExcParameter(path + "Axial length",
+                               Units::to_string(axial_length, "m", "mm") +
+                                 " must be positive"));
+      AssertThrow(outer_radius > bore_radius,
+                  ExcParameter(path + "Outer radius",
+                               Units::to_string(outer_radius, "m", "mm") +
+                                 " must be larger than the bushing radius of "
+                                 "the joint, " +
+                                 Units::to_string(bore_radius, "m", "mm")));
+      AssertThrow(
+        wear_coefficient >= 0.,
+        ExcParameter(path + "Wear coefficient",
+                     Units::to_string(wear_coefficient, "Pa^-1", "mm^3/(N m)") +
+                       " must not be negative"));
+      mesh.check((path + "Mesh/").c_str());
+    }
+  } // namespace Coupling
+} // namespace Tribody

@@ -1,0 +1,404 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <boost/algorithm/string/join.hpp>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameter_file.h>
+#include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
+#include <tribody/coupling/case_parameters.h>
+#include <tribody/multibody/cycle_simulation.h>
+#include <tribody/multibody/mechanism.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // The lists that decide which subsections exist.
+      struct Names
+      {
+        std::vector<std::string> bodies;
+        std::vector<std::string> joints;
+        std::vector<std::string> springs;
+        std::vector<std::string> drivers;
+        std::vector<std::string> materials;
+        std::vector<std::string> bushings;
+
+        void
+        add_parameters(dealii::ParameterHandler &prm)
+        {
+          Parameters::add_names(prm,
+                                "Bodies",
+                                bodies,
+                                "Names of the moving bodies; each has a "
+                                "subsection 'Body <name>'. The body that does "
+                                "not move is 'ground'.");
+          Parameters::add_names(prm,
+                                "Joints",
+                                joints,
+                                "Names of the joints; each has a subsection "
+                                "'Joint <name>'.");
+          Parameters::add_names(prm,
+                                "Springs",
+                                springs,
+                                "Names of the springs; each has a subsection "
+                                "'Spring <name>'.");
+          Parameters::add_names(prm,
+                                "Drivers",
+                                drivers,
+                                "Names of the drivers; each has a subsection "
+                                "'Driver <name>'. One turn of the first driver "
+                                "is a cycle.");
+          Parameters::add_names(prm,
+                                "Materials",
+                                materials,
+                                "Names of the materials; each has a subsection "
+                                "'Material <name>'.");
+          Parameters::add_names(prm,
+                                "Bushings",
+                                bushings,
+                                "Names of the joints with clearance whose "
+                                "bushing deforms and wears; each has a "
+                                "subsection 'Bushing <name of the joint>'.");
+        }
+      };
+
+
+
+      Names
+      read_names(const ParameterFile &file)
+      {
+        const auto list = [&file](const std::string &name) {
+          try
+            {
+              return split_names(file.value(name, ""));
+            }
+          catch (const ExcInput &exception)
+            {
+              std::ostringstream problem;
+              exception.print_info(problem);
+              throw ExcInput(file.location(name) + ": " + name + ": " +
+                             problem.str());
+            }
+        };
+        return {list("Bodies"),
+                list("Joints"),
+                list("Springs"),
+                list("Drivers"),
+                list("Materials"),
+                list("Bushings")};
+      }
+
+
+
+      template <typename Entry>
+      std::vector<Entry>
+      make_named(const std::vector<std::string> &names)
+      {
+        std::vector<Entry> entries(names.size());
+        for (std::size_t i = 0; i < names.size(); ++i)
+          entries[i].name = names[i];
+        return entries;
+      }
+
+
+
+      template <typename Entry>
+      void
+      declare_each(dealii::ParameterHandler &prm,
+                   const std::string        &kind,
+                   std::vector<Entry>       &entries)
+      {
+        for (Entry &entry : entries)
+          {
+            prm.enter_subsection(kind + " " + entry.name);
+            entry.add_parameters(prm);
+            prm.leave_subsection();
+          }
+      }
+
+
+
+      // The handler keeps references into @p parameters and @p names.
+      void
+      declare(dealii::ParameterHandler &prm,
+              CaseParameters           &parameters,
+              Names                    &names)
+      {
+        parameters.mechanism.bodies =
+          make_named<Multibody::BodyParameters>(names.bodies);
+        parameters.mechanism.joints =
+          make_named<Multibody::JointParameters>(names.joints);
+        parameters.mechanism.springs =
+          make_named<Multibody::SpringParameters>(names.springs);
+        parameters.mechanism.drivers =
+          make_named<Multibody::DriverParameters>(names.drivers);
+        parameters.materials = make_named<Material>(names.materials);
+        parameters.bushings  = make_named<BushingParameters>(names.bushings);
+
+        Parameters::add_text(prm,
+                             "Title",
+                             parameters.title,
+                             "One line that says what the case is.");
+        Parameters::add_integer(prm,
+                                "Cycles",
+                                parameters.cycles,
+                                "Cycles to run; 0 runs one settled cycle of "
+                                "the dynamics without any wear.",
+                                0,
+                                999999999);
+        names.add_parameters(prm);
+        Parameters::add_point(prm,
+                              "Gravity",
+                              parameters.mechanism.gravity,
+                              "m/s^2",
+                              "Acceleration of gravity in global axes.");
+
+        prm.enter_subsection("Ground");
+        parameters.mechanism.ground.add_parameters(prm);
+        prm.leave_subsection();
+        declare_each(prm, "Body", parameters.mechanism.bodies);
+        declare_each(prm, "Joint", parameters.mechanism.joints);
+        declare_each(prm, "Spring", parameters.mechanism.springs);
+        declare_each(prm, "Driver", parameters.mechanism.drivers);
+        declare_each(prm, "Material", parameters.materials);
+        declare_each(prm, "Bushing", parameters.bushings);
+
+        prm.enter_subsection("Dynamics");
+        parameters.dynamics.add_parameters(prm);
+        prm.leave_subsection();
+        prm.enter_subsection("Wear");
+        parameters.wear.add_parameters(prm);
+        prm.leave_subsection();
+
+        prm.enter_subsection("Output");
+        Parameters::add_text(prm,
+                             "Directory",
+                             parameters.output_directory,
+                             "Where results are written; empty: output/<name "
+                             "of the parameter file>.");
+        Parameters::add_integer(prm,
+                                "Number of outputs",
+                                parameters.n_outputs,
+                                "How often duty cycles, profiles and VTU files "
+                                "are written, evenly spread over the cycles, "
+                                "first and last included.",
+                                2,
+                                9999);
+        prm.leave_subsection();
+      }
+
+
+
+      std::string
+      print(dealii::ParameterHandler &prm)
+      {
+        std::ostringstream stream;
+        prm.print_parameters(stream,
+                             dealii::ParameterHandler::PRM |
+                               dealii::ParameterHandler::KeepDeclarationOrder);
+        return stream.str();
+      }
+
+
+
+      Material
+      find_material(const std::vector<Material> &materials,
+                    const std::string           &name,
+                    const std::string           &path)
+      {
+        std::vector<std::string> names;
+        for (const Material &material : materials)
+          {
+            if (material.name == name)
+              return material;
+            names.push_back(material.name);
+          }
+        throw ExcParameter(path,
+                           "there is no material '" + name +
+                             "'; 'Materials' lists: " +
+                             boost::algorithm::join(names, ", "));
+      }
+
+
+
+      void
+      resolve_materials(CaseParameters &parameters)
+      {
+        for (Multibody::JointParameters &joint : parameters.mechanism.joints)
+          if (joint.has_clearance())
+            {
+              const std::string path = "Joint " + joint.name + "/";
+              joint.pin_material     = find_material(parameters.materials,
+                                                 joint.pin_material_name,
+                                                 path + "Pin material");
+              joint.bushing_material =
+                find_material(parameters.materials,
+                              joint.bushing_material_name,
+                              path + "Bushing material");
+            }
+      }
+
+
+
+      void
+      check(const CaseParameters &parameters)
+      {
+        for (const Material &material : parameters.materials)
+          material.check();
+        parameters.dynamics.check();
+        parameters.wear.check();
+        parameters.mechanism.check();
+
+        for (const BushingParameters &bushing : parameters.bushings)
+          {
+            const auto &joints = parameters.mechanism.joints;
+            const auto  joint =
+              std::find_if(joints.begin(),
+                           joints.end(),
+                           [&bushing](const auto &j) {
+                             return j.name == bushing.name && j.is_revolute();
+                           });
+            AssertThrow(joint != joints.end(),
+                        ExcParameter("Bushings",
+                                     "'" + bushing.name +
+                                       "' is not the name of a revolute "
+                                       "joint"));
+            AssertThrow(parameters.cycles == 0 || joint->has_clearance(),
+                        ExcParameter("Joint " + joint->name + "/Model",
+                                     "'" + joint->model +
+                                       "' knows no contact, so the bushing "
+                                       "cannot wear; write 'clearance', or "
+                                       "'set Cycles = 0' for the dynamics "
+                                       "alone"));
+            bushing.check(joint->bushing_radius);
+          }
+
+        AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),
+                    ExcParameter("Cycles",
+                                 std::to_string(parameters.cycles) +
+                                   " cycles of wear need at least one entry "
+                                   "in 'Bushings'; 0 cycles need none"));
+
+        // Markers and bodies that joints, springs and drivers refer to, and
+        // whether the mechanism can be assembled.
+        const Multibody::Mechanism       mechanism(parameters.mechanism);
+        const Multibody::CycleSimulation simulation(mechanism,
+                                                    parameters.dynamics);
+      }
+    } // namespace
+
+
+
+    void
+    WearParameters::add_parameters(dealii::ParameterHandler &prm)
+    {
+      Parameters::add_choice(prm,
+                             "Extrapolation",
+                             extrapolation,
+                             {"constant"},
+                             "How the wear of one cycle is carried over many. "
+                             "constant: explicit steps of equal length, eqs. "
+                             "(24) and (25) of Mukras et al.");
+      Parameters::add_quantity(prm,
+                               "Cycles per step",
+                               cycles_per_step,
+                               "",
+                               "Length A_E of a wear step in cycles. Explicit "
+                               "steps are stable up to a length that falls "
+                               "with the mesh size; longer ones grow "
+                               "oscillations in pressure and depth, which the "
+                               "log reports. 0: 80 % of the stable length.");
+      Parameters::add_quantity(prm,
+                               "Compliance update",
+                               compliance_update,
+                               "",
+                               "The elastic compliance of a bushing is "
+                               "computed anew when its profile has changed by "
+                               "this fraction of its wall; gap, normals and "
+                               "weights always follow the worn profile.");
+    }
+
+
+
+    void
+    WearParameters::check() const
+    {
+      AssertThrow(cycles_per_step >= 0.,
+                  ExcParameter("Wear/Cycles per step",
+                               Units::to_string(cycles_per_step, "", "") +
+                                 " must be positive, or 0 for an automatic "
+                                 "choice"));
+      AssertThrow(compliance_update > 0. && compliance_update < 1.,
+                  ExcParameter("Wear/Compliance update",
+                               Units::to_string(compliance_update, "", "") +
+                                 " must lie between 0 and 1, both excluded"));
+    }
+
+
+
+    const Multibody::JointParameters &
+    CaseParameters::joint(const std::string &name) const
+    {
+      const auto found =
+        std::find_if(mechanism.joints.begin(),
+                     mechanism.joints.end(),
+                     [&name](const auto &joint) { return joint.name == name; });
+      Assert(found != mechanism.joints.end(), dealii::ExcInternalError());
+      return *found;
+    }
+
+
+
+    CaseParameters
+    read_case(const std::string              &file_name,
+              const std::vector<std::string> &overrides)
+    {
+      const ParameterFile file(file_name, overrides);
+      CaseParameters      parameters;
+      {
+        Names                    names = read_names(file);
+        dealii::ParameterHandler prm;
+        declare(prm, parameters, names);
+        file.apply(prm);
+        parameters.text = print(prm);
+      }
+
+      if (parameters.output_directory.empty())
+        parameters.output_directory = (std::filesystem::path("output") /
+                                       std::filesystem::path(file_name).stem())
+                                        .string();
+
+      try
+        {
+          resolve_materials(parameters);
+          check(parameters);
+        }
+      catch (const ExcParameter &exception)
+        {
+          throw ExcInput(file.location(exception.path) + ": " + exception.path +
+                         ": " + exception.problem);
+        }
+      return parameters;
+    }
+
+
+
+    std::string
+    parameter_template()
+    {
+      CaseParameters parameters;
+      Names          names{
+        {"body"}, {"joint"}, {"spring"}, {"driver"}, {"steel"}, {"joint"}};
+      dealii::ParameterHandler prm;
+      declare(prm, parameters, names);
+      return print(prm);
+    }
+  } // namespace Coupling
+} // namespace Tribody

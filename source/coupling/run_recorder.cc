@@ -1,0 +1,351 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/coupling/run_recorder.h>
+#include <tribody/output/bushing_vtu.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // Progress lines: not more often than this [s].
+      constexpr double progress_interval = 2.;
+
+      double
+      degrees(const double radians)
+      {
+        return radians * 180. / M_PI;
+      }
+
+
+
+      // In [0, 360).
+      double
+      positive_degrees(const double radians)
+      {
+        const double angle = std::fmod(degrees(radians), 360.);
+        return angle < 0. ? angle + 360. : angle;
+      }
+
+
+
+      double
+      seconds_since(const std::chrono::steady_clock::time_point &start)
+      {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                             start)
+          .count();
+      }
+
+
+
+      std::string
+      clock_time(const double seconds)
+      {
+        const auto         whole = static_cast<long>(std::lround(seconds));
+        std::ostringstream out;
+        if (whole >= 3600)
+          out << whole / 3600 << ':' << std::setfill('0') << std::setw(2);
+        out << (whole / 60) % 60 << ':' << std::setfill('0') << std::setw(2)
+            << whole % 60;
+        return out.str();
+      }
+
+
+
+      void
+      write_clearance_joint(const std::string               &file_name,
+                            const Multibody::DutyCycle      &cycle,
+                            const Multibody::JointDutyCycle &joint)
+      {
+        TableWriter table(
+          file_name,
+          {"Revolute joint '" + joint.name +
+             "' with clearance: one settled cycle.",
+           "Forces act on the body with the bushing: normal_force along the "
+           "contact direction (from the bushing's centre to the contact "
+           "point), "
+           "friction_force along that direction turned by +90 deg;",
+           "force_x, force_y: their sum in global axes. contact_angle_bushing "
+           "and contact_angle_pin: the contact direction in the frames of the "
+           "two bodies, counter-clockwise.",
+           "state: 0 free, 1 impact, 2 following."},
+          {"time [s]",
+           "phase [deg]",
+           "normal_force [N]",
+           "friction_force [N]",
+           "contact_angle_bushing [deg]",
+           "contact_angle_pin [deg]",
+           "sliding_increment [m]",
+           "eccentricity [m]",
+           "penetration [m]",
+           "state [-]",
+           "force_x [N]",
+           "force_y [N]",
+           "force [N]"});
+        for (Eigen::Index j = 0; j < cycle.time.size(); ++j)
+          table.write_row({cycle.time[j],
+                           cycle.phase[j],
+                           joint.normal_force[j],
+                           joint.friction_force[j],
+                           positive_degrees(joint.contact_angle_bushing[j]),
+                           positive_degrees(joint.contact_angle_pin[j]),
+                           joint.sliding_increment[j],
+                           joint.eccentricity[j],
+                           joint.penetration[j],
+                           static_cast<double>(joint.state[j]),
+                           joint.force_x[j],
+                           joint.force_y[j],
+                           std::hypot(joint.force_x[j], joint.force_y[j])});
+      }
+
+
+
+      void
+      write_ideal_joint(const std::string               &file_name,
+                        const Multibody::DutyCycle      &cycle,
+                        const Multibody::JointDutyCycle &joint)
+      {
+        TableWriter table(file_name,
+                          {"Joint '" + joint.name +
+                             "' without clearance: one settled cycle.",
+                           "Force of the pin (first body) on the bushing "
+                           "(second body), in global axes."},
+                          {"time [s]",
+                           "phase [deg]",
+                           "force_x [N]",
+                           "force_y [N]",
+                           "force [N]"});
+        for (Eigen::Index j = 0; j < cycle.time.size(); ++j)
+          table.write_row({cycle.time[j],
+                           cycle.phase[j],
+                           joint.force_x[j],
+                           joint.force_y[j],
+                           std::hypot(joint.force_x[j], joint.force_y[j])});
+      }
+    } // namespace
+
+
+
+    RunRecorder::RunRecorder(const CaseParameters          &parameters,
+                             const Output::OutputDirectory &directory,
+                             Console                       &console,
+                             const bool                     is_first_rank)
+      : parameters(parameters)
+      , directory(directory)
+      , console(console)
+      , writes(is_first_rank)
+      , vtu_files(parameters.bushings.size())
+    {}
+
+
+
+    void
+    RunRecorder::start()
+    {
+      started_at          = std::chrono::steady_clock::now();
+      progress_printed_at = started_at;
+      if (!writes)
+        return;
+
+      const std::string message   = directory.create();
+      const std::string file_name = directory.file("parameters.prm");
+      std::ofstream     file(file_name);
+      file << parameters.text;
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+
+      console.open_log(directory.file("log.txt"));
+      if (!message.empty())
+        console.out() << message << std::endl;
+      console.out() << "Results go to '" << directory.path() << "'."
+                    << std::endl;
+    }
+
+
+
+    double
+    RunRecorder::wall_time() const
+    {
+      return seconds_since(started_at);
+    }
+
+
+
+    void
+    RunRecorder::record(const RunState                  &state,
+                        const std::list<WearingBushing> &bushings)
+    {
+      if (!writes)
+        return;
+      write_history_row(state, bushings);
+
+      const double interval =
+        static_cast<double>(parameters.cycles) / (parameters.n_outputs - 1);
+      if (state.cycles >= n_outputs * interval ||
+          state.cycles >= parameters.cycles)
+        record_fields(state, bushings);
+
+      const bool is_last = state.cycles >= parameters.cycles;
+      if (parameters.cycles > 0 &&
+          (is_last || seconds_since(progress_printed_at) > progress_interval))
+        print_progress(state, bushings);
+    }
+
+
+
+    void
+    RunRecorder::record_fields(const RunState                  &state,
+                               const std::list<WearingBushing> &bushings)
+    {
+      if (!writes || last_output_at == state.cycles)
+        return;
+      write_duty_cycles(state.duty_cycle);
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          write_bushing(state, bushing, state.contacts[b]);
+          const std::string name =
+            Output::numbered_name("bushing", n_outputs, "vtu");
+          vtu_files[b].emplace_back(state.cycles, name);
+          Output::write_pvd(directory.joint_file(bushing.name(), "bushing.pvd"),
+                            vtu_files[b]);
+          ++b;
+        }
+      last_output_at = state.cycles;
+      ++n_outputs;
+    }
+
+
+
+    void
+    RunRecorder::open_history()
+    {
+      std::vector<std::string> columns = {"cycles [-]", "wear_step [-]"};
+      for (const BushingParameters &bushing : parameters.bushings)
+        for (const char *column : {"max_wear_depth [m]",
+                                   "worn_volume [m^3]",
+                                   "peak_force [N]",
+                                   "mean_normal_force [N]",
+                                   "max_pressure [Pa]",
+                                   "clearance [m]"})
+          columns.push_back(bushing.name + " " + column);
+      history = std::make_unique<TableWriter>(
+        directory.file("history.csv"),
+        std::vector<std::string>(
+          {"A row per wear step. Depth: largest of the bore. Volume: measured "
+           "on the worn mesh. Forces: largest total and mean normal force of "
+           "the cycle.",
+           "Pressure: largest of the cycle. Clearance: largest, bore radius "
+           "minus pin radius plus depth."}),
+        columns);
+    }
+
+
+
+    void
+    RunRecorder::write_history_row(const RunState                  &state,
+                                   const std::list<WearingBushing> &bushings)
+    {
+      if (bushings.empty())
+        return;
+      if (history == nullptr)
+        open_history();
+
+      std::vector<double> row = {state.cycles,
+                                 static_cast<double>(state.counts.wear_steps)};
+      std::size_t         b   = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          const Multibody::JointDutyCycle &cycle =
+            state.duty_cycle.joint(bushing.name());
+          const double unworn = bushing.joint_parameters().bushing_radius -
+                                bushing.joint_parameters().pin_radius;
+          row.insert(row.end(),
+                     {bushing.profile().max_depth(),
+                      bushing.worn_volume(),
+                      cycle.peak_force(),
+                      cycle.mean_normal_force(),
+                      state.contacts[b].max_pressure,
+                      unworn + bushing.profile().max_depth()});
+          ++b;
+        }
+      history->write_row(row);
+    }
+
+
+
+    void
+    RunRecorder::write_duty_cycles(const Multibody::DutyCycle &cycle) const
+    {
+      for (const Multibody::JointDutyCycle &joint : cycle.joints)
+        {
+          const std::string file_name = directory.joint_file(
+            joint.name, Output::numbered_name("duty_cycle", n_outputs, "csv"));
+          if (joint.has_clearance)
+            write_clearance_joint(file_name, cycle, joint);
+          else
+            write_ideal_joint(file_name, cycle, joint);
+        }
+    }
+
+
+
+    void
+    RunRecorder::write_bushing(const RunState       &state,
+                               const WearingBushing &bushing,
+                               const CycleContact   &contact)
+    {
+      TableWriter table(
+        directory.joint_file(
+          bushing.name(), Output::numbered_name("profile", n_outputs, "csv")),
+        {"Bushing '" + bushing.name() + "' after " +
+           std::to_string(std::lround(state.cycles)) + " cycles.",
+         "Angle: of the bore node in the bushing's frame, counter-clockwise. "
+         "Depth: along the as-manufactured normal. Pressure: largest of the "
+         "cycle at that node."},
+        {"angle [deg]", "bushing_wear_depth [m]", "peak_pressure [Pa]"});
+      for (Eigen::Index i = 0; i < bushing.profile().depth.size(); ++i)
+        table.write_row({degrees(bushing.node_angles()[i]),
+                         bushing.profile().depth[i],
+                         contact.peak_pressure[i]});
+
+      bushing.write_vtu(directory.joint_file(
+                          bushing.name(),
+                          Output::numbered_name("bushing", n_outputs, "vtu")),
+                        contact);
+    }
+
+
+
+    void
+    RunRecorder::print_progress(const RunState                  &state,
+                                const std::list<WearingBushing> &bushings)
+    {
+      const double elapsed = seconds_since(started_at);
+      const double remaining =
+        elapsed * (parameters.cycles / std::max(state.cycles, 1.) - 1.);
+
+      std::ostringstream line;
+      line << std::fixed << std::setprecision(0) << std::setw(9) << state.cycles
+           << " of " << parameters.cycles << " cycles";
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          line << "   " << bushing.name() << ' ' << std::setprecision(4)
+               << bushing.profile().max_depth() * 1e3 << " mm, "
+               << std::setprecision(2) << state.contacts[b].max_pressure * 1e-6
+               << " MPa";
+          ++b;
+        }
+      line << "   " << clock_time(elapsed) << " passed, "
+           << clock_time(remaining) << " to go";
+      console.out() << line.str() << std::endl;
+      progress_printed_at = std::chrono::steady_clock::now();
+    }
+  } // namespace Coupling
+} // namespace Tribody

@@ -1,0 +1,215 @@
+#include <deal.II/base/utilities.h>
+#include <deal.II/lac/vector.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/contact/contact_solver.h>
+#include <tribody/coupling/wearing_bushing.h>
+#include <tribody/elasticity/stress_postprocessor.h>
+#include <tribody/multibody/duty_cycle.h>
+#include <tribody/output/bushing_vtu.h>
+#include <tribody/wear/archard_law.h>
+#include <tribody/wear/constant_extrapolation.h>
+
+#include <cmath>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // A mesh must exist before the members that live on it are constructed.
+      dealii::Triangulation<2>
+      make_mesh(const BushingParameters          &parameters,
+                const Multibody::JointParameters &joint)
+      {
+        dealii::Triangulation<2> triangulation;
+        Elasticity::make_ring_mesh(parameters.mesh,
+                                   joint.bushing_radius,
+                                   parameters.outer_radius,
+                                   triangulation);
+        return triangulation;
+      }
+
+
+
+      Elasticity::PlaneState
+      plane_state(const std::string &name)
+      {
+        return name == "plane stress" ? Elasticity::PlaneState::stress
+                                      : Elasticity::PlaneState::strain;
+      }
+
+
+
+      Wear::WearProfile
+      make_profile(const BoreNodes &nodes)
+      {
+        return Wear::make_wear_profile(nodes.positions,
+                                       nodes.radial_directions(),
+                                       nodes.degree);
+      }
+    } // namespace
+
+
+
+    WearingBushing::WearingBushing(const BushingParameters          &parameters,
+                                   const Multibody::JointParameters &joint,
+                                   const double compliance_update)
+      : parameters(parameters)
+      , joint(joint)
+      , compliance_update(compliance_update)
+      , triangulation(make_mesh(parameters, joint))
+      , geometry(triangulation, parameters.element_degree, parameters.name)
+      , elasticity(triangulation,
+                   parameters.element_degree,
+                   joint.bushing_material,
+                   plane_state(parameters.plane_state))
+      , wear_profile(make_profile(geometry.bore_nodes()))
+      , surface(wear_profile.surface())
+      , unworn_area(geometry.area())
+    {
+      update_compliance();
+    }
+
+
+
+    CycleContact
+    WearingBushing::compute_cycle_contact(
+      const Multibody::JointDutyCycle &cycle) const
+    {
+      const Wear::ArchardLaw archard{parameters.wear_coefficient};
+      Contact::ContactSolver solver(surface, compliance, joint.pin_radius);
+
+      const Eigen::Index n = surface.n_nodes();
+      CycleContact       contact;
+      contact.removed_area  = Eigen::VectorXd::Zero(n);
+      contact.peak_pressure = Eigen::VectorXd::Zero(n);
+
+      Eigen::Index peak_sample = 0;
+      cycle.normal_force.maxCoeff(&peak_sample);
+
+      // Neighbouring samples differ little: each starts from the one before.
+      Contact::ContactSolution solution;
+      for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
+        {
+          const double          angle = cycle.contact_angle_bushing[j];
+          const Eigen::Vector2d force_per_length =
+            cycle.normal_force[j] / parameters.axial_length *
+            Eigen::Vector2d(std::cos(angle), std::sin(angle));
+          solution = solver.solve_force_controlled(force_per_length,
+                                                   j > 0 ? &solution : nullptr);
+          ++contact.n_solves;
+          AssertThrow(
+            solution.report.converged,
+            ExcRun("Bushing " + name() + ": the contact problem of sample " +
+                   std::to_string(j) + " of the cycle (normal force " +
+                   std::to_string(cycle.normal_force[j]) +
+                   " N) has no solution: " + solution.report.message +
+                   ". A finer mesh (Bore cells) or shorter wear steps (Cycles "
+                   "per step) may help."));
+
+          for (Eigen::Index i = 0; i < n; ++i)
+            contact.removed_area[i] +=
+              archard.area_increment(solution.nodal_force[i],
+                                     cycle.sliding_increment[j]);
+          contact.peak_pressure =
+            contact.peak_pressure.cwiseMax(solution.pressure);
+          contact.max_pressure =
+            std::max(contact.max_pressure,
+                     Contact::peak_pressure(solution, surface));
+          if (j == peak_sample)
+            contact.at_peak_force = solution;
+        }
+
+      contact.wear_rate =
+        wear_profile.depth_for_removed_area(surface, contact.removed_area);
+      return contact;
+    }
+
+
+
+    void
+    WearingBushing::wear_by(const Eigen::VectorXd &depth_increment)
+    {
+      Wear::WearProfile worn = wear_profile;
+      worn.depth += depth_increment;
+      geometry.update(worn.depth);
+      wear_profile = worn;
+      surface      = wear_profile.surface();
+
+      const double wall = parameters.outer_radius - joint.bushing_radius;
+      if ((wear_profile.depth - depth_at_compliance).lpNorm<Eigen::Infinity>() >
+          compliance_update * wall)
+        update_compliance();
+    }
+
+
+
+    void
+    WearingBushing::update_compliance()
+    {
+      elasticity.reinit(geometry.mapping());
+      compliance          = elasticity.normal_compliance(surface.normals);
+      depth_at_compliance = wear_profile.depth;
+      ++n_builds;
+    }
+
+
+
+    ClearanceProfile
+    WearingBushing::clearance_profile() const
+    {
+      const double unworn = joint.bushing_radius - joint.pin_radius;
+      return ClearanceProfile(node_angles(),
+                              (wear_profile.depth.array() + unworn).matrix());
+    }
+
+
+
+    double
+    WearingBushing::worn_volume() const
+    {
+      return (unworn_area - geometry.area()) * parameters.axial_length;
+    }
+
+
+
+    double
+    WearingBushing::max_stable_step(const double sliding_per_cycle) const
+    {
+      const Eigen::VectorXd area_derivative =
+        wear_profile.normals.cwiseProduct(surface.vector_weights)
+          .colwise()
+          .sum();
+      return Wear::max_stable_step(compliance,
+                                   area_derivative,
+                                   parameters.wear_coefficient *
+                                     sliding_per_cycle);
+    }
+
+
+
+    void
+    WearingBushing::write_vtu(const std::string  &file_name,
+                              const CycleContact &contact) const
+    {
+      const Contact::ContactSolution &solution = contact.at_peak_force;
+      const Eigen::Matrix2Xd          nodal_forces =
+        surface.normals * solution.nodal_force.asDiagonal();
+      const dealii::Vector<double> displacement =
+        elasticity.solve(nodal_forces);
+      const Elasticity::StressPostprocessor stresses(elasticity.hooke());
+
+      Output::write_bushing_vtu(file_name,
+                                {geometry.mapping(),
+                                 elasticity.get_dof_handler(),
+                                 elasticity.bore_nodes(),
+                                 stresses,
+                                 displacement,
+                                 geometry.wear_displacement(),
+                                 solution.pressure,
+                                 wear_profile.depth});
+    }
+  } // namespace Coupling
+} // namespace Tribody

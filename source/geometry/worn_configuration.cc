@@ -1,0 +1,249 @@
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <tribody/base/direct_solver.h>
+#include <tribody/base/exceptions.h>
+#include <tribody/geometry/worn_configuration.h>
+#include <tribody/surface/boundary_ids.h>
+
+#include <sstream>
+
+namespace Tribody
+{
+  namespace Geometry
+  {
+    namespace
+    {
+      /// The points of two rules; the weights are of no use.
+      dealii::Quadrature<2>
+      join_points(const dealii::Quadrature<2> &a,
+                  const dealii::Quadrature<2> &b)
+      {
+        auto points = a.get_points();
+        points.insert(points.end(),
+                      b.get_points().begin(),
+                      b.get_points().end());
+        return dealii::Quadrature<2>(points);
+      }
+    } // namespace
+
+
+
+    WornConfiguration::WornConfiguration(
+      const dealii::Triangulation<2, 2> &triangulation,
+      const unsigned int                 degree,
+      const std::string                 &bushing_name)
+      : name(bushing_name)
+      , fe(dealii::FE_Q<2>(degree), 2)
+      , dof_handler(triangulation)
+    {
+      dof_handler.distribute_dofs(fe);
+      nodes = make_bore_nodes(dof_handler);
+
+      dealii::DoFTools::make_hanging_node_constraints(dof_handler,
+                                                      hanging_nodes);
+      hanging_nodes.close();
+
+      const dealii::types::global_dof_index n_dofs = dof_handler.n_dofs();
+      dealii::Vector<double>                straight(n_dofs);
+      curvature.reinit(n_dofs);
+      dealii::VectorTools::get_position_vector(dealii::MappingQ<2>(degree),
+                                               dof_handler,
+                                               curvature);
+      dealii::VectorTools::get_position_vector(dealii::MappingQ<2>(1),
+                                               dof_handler,
+                                               straight);
+      // Where a fine cell meets a coarse one, its nodes belong on the coarse
+      // cell's curved edge.
+      hanging_nodes.distribute(curvature);
+      curvature -= straight;
+
+      wear.reinit(n_dofs);
+      mesh_displacement = curvature;
+      worn_mapping =
+        std::make_unique<dealii::MappingQEulerian<2>>(degree,
+                                                      dof_handler,
+                                                      mesh_displacement);
+      setup_extension();
+    }
+
+
+
+    WornConfiguration::~WornConfiguration() = default;
+
+
+
+    void
+    WornConfiguration::setup_extension()
+    {
+      fixed_boundary.merge(hanging_nodes);
+      for (const auto id : {BoundaryIds::bore, BoundaryIds::rim})
+        dealii::DoFTools::make_zero_boundary_constraints(dof_handler,
+                                                         id,
+                                                         fixed_boundary);
+      fixed_boundary.close();
+
+      dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
+      dealii::DoFTools::make_sparsity_pattern(dof_handler,
+                                              sparsity,
+                                              hanging_nodes);
+      const auto &dofs = dof_handler.locally_owned_dofs();
+      laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
+      constrained_laplace.reinit(dofs, sparsity, MPI_COMM_SELF);
+
+      const dealii::MappingQ<2>                    as_manufactured(fe.degree);
+      const unsigned int                           n = fe.n_dofs_per_cell();
+      dealii::FEValues<2>                          fe_values(as_manufactured,
+                                    fe,
+                                    dealii::QGauss<2>(fe.degree + 1),
+                                    dealii::update_gradients |
+                                      dealii::update_JxW_values);
+      dealii::FullMatrix<double>                   cell_matrix(n, n);
+      std::vector<dealii::types::global_dof_index> cell_dofs(n);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          fe_values.reinit(cell);
+          cell_matrix = 0.;
+          for (const unsigned int q : fe_values.quadrature_point_indices())
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                if (fe.system_to_component_index(i).first ==
+                    fe.system_to_component_index(j).first)
+                  cell_matrix(i, j) += fe_values.shape_grad(i, q) *
+                                       fe_values.shape_grad(j, q) *
+                                       fe_values.JxW(q);
+          cell->get_dof_indices(cell_dofs);
+          hanging_nodes.distribute_local_to_global(cell_matrix,
+                                                   cell_dofs,
+                                                   laplace);
+          fixed_boundary.distribute_local_to_global(cell_matrix,
+                                                    cell_dofs,
+                                                    constrained_laplace);
+        }
+      laplace.compress(dealii::VectorOperation::add);
+      constrained_laplace.compress(dealii::VectorOperation::add);
+      solver = std::make_unique<DirectSolver>(constrained_laplace);
+    }
+
+
+
+    void
+    WornConfiguration::update(const Eigen::VectorXd &wear_depth)
+    {
+      AssertDimension(wear_depth.size(), nodes.n_nodes());
+      const dealii::Vector<double> new_wear = compute_extension(wear_depth);
+      dealii::Vector<double>       new_displacement(new_wear);
+      new_displacement += curvature;
+      check_cells(new_displacement, wear_depth.maxCoeff());
+
+      wear = new_wear;
+      // The mapping points to this vector.
+      mesh_displacement = new_displacement;
+    }
+
+
+
+    dealii::Vector<double>
+    WornConfiguration::compute_extension(
+      const Eigen::VectorXd &wear_depth) const
+    {
+      const Eigen::Matrix2Xd moved =
+        nodes.radial_directions() * wear_depth.asDiagonal();
+      dealii::Vector<double> at_bore(dof_handler.n_dofs());
+      for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+        {
+          at_bore[nodes.x_dofs[i]] = moved(0, i);
+          at_bore[nodes.y_dofs[i]] = moved(1, i);
+        }
+
+      // The bore's share is moved to the right-hand side; hanging nodes have
+      // no equation of their own.
+      dealii::Vector<double> right_hand_side(dof_handler.n_dofs());
+      laplace.vmult(right_hand_side, at_bore);
+      right_hand_side *= -1.;
+      fixed_boundary.set_zero(right_hand_side);
+
+      dealii::Vector<double> extension = solver->solve(right_hand_side);
+      fixed_boundary.set_zero(extension);
+      extension += at_bore;
+      hanging_nodes.distribute(extension);
+      return extension;
+    }
+
+
+
+    void
+    WornConfiguration::check_cells(const dealii::Vector<double> &displacement,
+                                   const double max_wear_depth) const
+    {
+      // The Jacobian of the mapping is that of the straight-sided cell times
+      // det(I + grad w), so no mapping has to be inverted to know its sign.
+      const dealii::MappingQ<2>   straight_sided(1);
+      const dealii::Quadrature<2> points =
+        join_points(dealii::QGauss<2>(fe.degree + 1),
+                    dealii::QGaussLobatto<2>(fe.degree + 2));
+      dealii::FEValues<2>                      fe_values(straight_sided,
+                                    fe,
+                                    points,
+                                    dealii::update_gradients);
+      const dealii::FEValuesExtractors::Vector moved(0);
+      std::vector<dealii::Tensor<2, 2>>        gradients(points.size());
+      const auto identity = dealii::unit_symmetric_tensor<2>();
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          fe_values.reinit(cell);
+          fe_values[moved].get_function_gradients(displacement, gradients);
+          for (const auto &gradient : gradients)
+            if (!(dealii::determinant(gradient + identity) > 0.))
+              {
+                const auto         centre = 1e3 * cell->center();
+                std::ostringstream message;
+                message << "Bushing " << name << ": with a wear depth of up to "
+                        << 1e3 * max_wear_depth
+                        << " mm the mesh turns inside out in the cell around ("
+                        << centre << ") mm. Is the bushing worn through?";
+                AssertThrow(false, ExcRun(message.str()));
+              }
+        }
+    }
+
+
+
+    Eigen::Matrix2Xd
+    WornConfiguration::worn_positions() const
+    {
+      Eigen::Matrix2Xd positions = nodes.positions;
+      for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+        {
+          positions(0, i) += wear[nodes.x_dofs[i]];
+          positions(1, i) += wear[nodes.y_dofs[i]];
+        }
+      return positions;
+    }
+
+
+
+    double
+    WornConfiguration::area() const
+    {
+      dealii::FEValues<2> fe_values(*worn_mapping,
+                                    fe,
+                                    dealii::QGauss<2>(fe.degree + 1),
+                                    dealii::update_JxW_values);
+      double              area = 0.;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          fe_values.reinit(cell);
+          for (const double JxW : fe_values.get_JxW_values())
+            area += JxW;
+        }
+      return area;
+    }
+  } // namespace Geometry
+} // namespace Tribody

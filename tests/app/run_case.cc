@@ -1,0 +1,147 @@
+// Runs a parameter file as the program does and prints what the tests of this
+// directory compare: results in scaled units, beside closed forms and, if
+// reference/<name of the test>.csv exists, beside the joint forces tabulated
+// there (columns crank_angle [deg] and force [N]).
+
+#include <deal.II/base/mpi.h>
+
+#include <nlohmann/json.hpp>
+
+#include <tribody/base/console.h>
+#include <tribody/base/exceptions.h>
+#include <tribody/coupling/case_parameters.h>
+#include <tribody/coupling/wear_simulation.h>
+#include <tribody/output/output_directory.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+using nlohmann::json;
+
+// The column @p name of a CSV file, its comment lines skipped.
+std::vector<double>
+read_column(const std::string &file_name, const std::string &name)
+{
+  std::ifstream            file(file_name);
+  std::string              line;
+  std::vector<double>      values;
+  std::vector<std::string> header;
+  while (std::getline(file, line))
+    {
+      if (line.empty() || line[0] == '#')
+        continue;
+      std::vector<std::string> cells;
+      std::istringstream       stream(line);
+      for (std::string cell; std::getline(stream, cell, ',');)
+        cells.push_back(cell);
+      if (header.empty())
+        {
+          header = cells;
+          continue;
+        }
+      const auto column = std::find(header.begin(), header.end(), name);
+      values.push_back(std::stod(cells.at(column - header.begin())));
+    }
+  return values;
+}
+
+void
+compare_forces(const std::string &reference, const std::string &duty_cycle)
+{
+  const auto            phases = read_column(duty_cycle, "phase [deg]");
+  const auto            forces = read_column(duty_cycle, "force [N]");
+  std::map<int, double> force_at;
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    force_at[static_cast<int>(std::lround(1000. * phases[i]))] = forces[i];
+
+  const auto angles   = read_column(reference, "crank_angle [deg]");
+  const auto expected = read_column(reference, "force [N]");
+  double     largest  = 0.;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    largest = std::max(largest,
+                       std::abs(force_at.at(static_cast<int>(std::lround(
+                                  1000. * std::fmod(angles[i], 360.)))) /
+                                  expected[i] -
+                                1.));
+  std::cout << "  reference: " << angles.size()
+            << " angles; forces right to 1e-2: " << (largest < 1e-2)
+            << ", to 1e-6: " << (largest < 1e-6) << std::endl;
+}
+
+void
+print_bushing(const json &joint)
+{
+  const json  &bushing  = joint["bushing"];
+  const json  &crescent = bushing["crescent_closed_form"];
+  const double depth    = bushing["max_wear_depth_m"];
+  const double volume   = bushing["worn_volume_m3"];
+  std::cout << std::setprecision(4) << "  depth " << depth * 1e6
+            << " um, volume " << volume * 1e9 << " mm^3, at "
+            << std::setprecision(1) << bushing["max_wear_angle_deg"]
+            << " deg, half-angle " << std::setprecision(0)
+            << joint["contact_half_angle_deg"].get<double>() << " deg"
+            << std::endl
+            << std::setprecision(1) << "  over crescent: depth "
+            << 100. * (depth / crescent["max_wear_depth_m"].get<double>() - 1.)
+            << " %, volume "
+            << 100. * (volume / crescent["worn_volume_m3"].get<double>() - 1.)
+            << " %" << std::endl
+            << "  volume balance below 1e-3: "
+            << (joint["volume_balance_relative_error"] < 1e-3)
+            << ", oscillation below 1e-2: "
+            << (bushing["wear_rate_mesh_oscillation"] < 1e-2)
+            << ", losses of contact: " << joint["contact_losses"] << std::endl;
+}
+
+int
+main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  using namespace Tribody;
+
+  const std::string name      = std::filesystem::path(argv[1]).stem();
+  const std::string directory = name + ".results";
+  std::filesystem::remove_all(directory);
+
+  // The program's own words carry times; they are not compared.
+  std::ostringstream screen;
+  std::streambuf    *to_screen = std::cout.rdbuf(screen.rdbuf());
+  try
+    {
+      Console                  console(true);
+      Coupling::CaseParameters parameters = Coupling::read_case(argv[1], {});
+      Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
+      simulation.run(Output::OutputDirectory(directory));
+    }
+  catch (const dealii::ExceptionBase &exception)
+    {
+      exception.print_info(std::cerr);
+      return 1;
+    }
+  std::cout.rdbuf(to_screen);
+
+  const json summary = json::parse(std::ifstream(directory + "/summary.json"));
+  std::cout << std::fixed << std::setprecision(1)
+            << summary["status"].get<std::string>() << " "
+            << summary["cycles"].get<double>() << " cycles in "
+            << summary["counts"]["wear_steps"] << " wear steps; drift below "
+            << "1e-8 m: " << (summary["dynamics"]["constraint_drift_m"] < 1e-8)
+            << ", settled: " << summary["dynamics"]["settled"] << std::endl;
+  for (const auto &[joint_name, joint] : summary["joints"].items())
+    {
+      std::cout << std::setprecision(2) << joint_name << ": largest force "
+                << joint["peak_force_N"].get<double>() << " N, mean "
+                << joint["mean_force_N"].get<double>() << " N" << std::endl;
+      const std::string reference =
+        std::string(SOURCE_DIR) + "/reference/" + name + ".csv";
+      if (joint_name == "crank_pin" && std::filesystem::exists(reference))
+        compare_forces(reference, directory + "/crank_pin/duty_cycle_0000.csv");
+      if (joint.contains("bushing"))
+        print_bushing(joint);
+    }
+}

@@ -1,0 +1,252 @@
+// Contact on a compliance that is given in closed form, so no mesh: Fourier
+// modes cos n(theta - theta') of pressure move the bore by c/(1 + |n|) each,
+// n < N/2, which makes a symmetric, positive definite circulant C with the
+// 1/|n| of an elastic half-space. The bore is round, or worn by a crescent of
+// 0.3 mm; the pin has 10 um clearance.
+//
+// Known whatever the compliance is: all conditions of contact (no penetration,
+// no tension, one of them zero, balance of forces); position control at the
+// centre that force control found gives that force; a round bore gives the
+// same for all directions of force through a node; Newton's iteration, the
+// fall-back programme, cold and warm starts find the same; zero force is no
+// contact; a force that squeezes nothing presses on two nodes with the pin in
+// the corner between them; too large a force is reported, not thrown.
+
+#include <tribody/contact/contact_solver.h>
+#include <tribody/contact/pin_gap.h>
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+using namespace Tribody;
+using namespace Tribody::Contact;
+
+constexpr double       bore_radius = 9.535e-3, pin_radius = 9.525e-3;
+constexpr Eigen::Index n_nodes = 360;
+
+Eigen::MatrixXd
+make_compliance()
+{
+  Eigen::VectorXd response = Eigen::VectorXd::Zero(n_nodes);
+  for (Eigen::Index k = 0; k < n_nodes; ++k)
+    for (Eigen::Index n = 0; n < n_nodes / 2; ++n)
+      response[k] +=
+        (n == 0 ? 1. : 2.) / (1. + n) * std::cos(2. * M_PI * n * k / n_nodes);
+  Eigen::MatrixXd C(n_nodes, n_nodes);
+  for (Eigen::Index i = 0; i < n_nodes; ++i)
+    for (Eigen::Index j = 0; j < n_nodes; ++j)
+      C(i, j) = 1e-9 * response[std::abs(i - j)];
+  return C;
+}
+
+BoreSurface
+make_bore(const double depth)
+{
+  Eigen::Matrix2Xd positions(2, n_nodes);
+  for (Eigen::Index i = 0; i < n_nodes; ++i)
+    {
+      const double angle = 2. * M_PI * i / n_nodes;
+      const double worn =
+        depth * std::max(0., (std::cos(angle - 0.4) - 0.3) / 0.7);
+      positions.col(i) = (bore_radius + worn) *
+                         Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    }
+  return make_bore_surface(positions, 2);
+}
+
+Eigen::Vector2d
+at_angle(const double force, const double angle)
+{
+  return force * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+/// The largest violation of any condition, all relative.
+double
+violation(const ContactSolution &s,
+          const BoreSurface     &bore,
+          const Eigen::MatrixXd &C,
+          const Eigen::Vector2d &force)
+{
+  const PinGap          pin(bore.positions, s.pin_centre, pin_radius);
+  const Eigen::VectorXd u   = C * s.nodal_force;
+  const Eigen::VectorXd gap = pin.gap + u;
+  const double          scale =
+    std::max(u.maxCoeff(), 1e-5 * (bore_radius - pin_radius));
+  const Eigen::Vector2d total =
+    pin.directions * bore.weights.cwiseProduct(s.pressure);
+  return std::max({-gap.minCoeff() / scale,
+                   (gap - s.gap).cwiseAbs().maxCoeff() / scale,
+                   -s.nodal_force.minCoeff() / s.nodal_force.maxCoeff(),
+                   gap.cwiseProduct(s.nodal_force).maxCoeff() / scale /
+                     s.nodal_force.maxCoeff(),
+                   (total - force).norm() / force.norm(),
+                   (s.force - force).norm() / force.norm()});
+}
+
+double
+difference(const ContactSolution &a, const ContactSolution &b)
+{
+  return std::max((a.nodal_force - b.nodal_force).norm() / a.nodal_force.norm(),
+                  (a.pin_centre - b.pin_centre).norm() / a.pin_centre.norm());
+}
+
+void
+check_bore(const double depth)
+{
+  const BoreSurface     bore = make_bore(depth);
+  const Eigen::MatrixXd C    = make_compliance();
+  ContactSolver         solver(bore, C, pin_radius);
+  // One iteration is never enough: everything goes through the programme.
+  ContactSolverParameters one_iteration;
+  one_iteration.max_iterations     = 1;
+  one_iteration.max_linearisations = 100;
+  ContactSolver slow_solver(bore, C, pin_radius, one_iteration);
+
+  std::cout << "depth " << 1e3 * depth << " mm" << std::endl;
+  for (const double force : {10., 300., 8000.})
+    {
+      const Eigen::Vector2d f    = at_angle(force, 0.123);
+      const auto            free = solver.solve_force_controlled(f);
+      const auto fixed = solver.solve_position_controlled(free.pin_centre);
+      const auto slow  = slow_solver.solve_force_controlled(f);
+      const auto slow_fixed =
+        slow_solver.solve_position_controlled(free.pin_centre);
+      const auto other =
+        solver.solve_force_controlled(at_angle(2. * force, 0.5));
+      const auto warm = solver.solve_force_controlled(f, &other);
+      const auto warm_fixed =
+        solver.solve_position_controlled(free.pin_centre, &other);
+      std::cout << "  force " << force << ": converged "
+                << free.report.converged << fixed.report.converged
+                << slow.report.converged << slow_fixed.report.converged
+                << warm.report.converged << warm_fixed.report.converged
+                << ", nodes in contact " << free.active_set.size()
+                << ", half-angle "
+                << 180. / M_PI * free.half_angle
+                // What is asked of the iteration is 1e-12; the stiffness of
+                // some 1e9 N/m^2 then turns a rounding of the gap (1e-18 m)
+                // into 1e-9 N/m.
+                << ", conditions "
+                << (violation(free, bore, C, f) < 1e-10 &&
+                    violation(slow, bore, C, f) < 1e-10 &&
+                    violation(fixed, bore, C, f) < 1e-9)
+                << ", programme "
+                << (difference(free, slow) < 1e-9 &&
+                    difference(fixed, slow_fixed) < 1e-9)
+                << ", position = force " << (difference(free, fixed) < 1e-9)
+                << ", warm = cold "
+                << (difference(free, warm) < 1e-10 &&
+                    difference(fixed, warm_fixed) < 1e-10)
+                << std::endl;
+    }
+}
+
+/// 72 directions, twice around, from a warm start: iterations and deviations.
+void
+check_directions(const double depth)
+{
+  const BoreSurface     bore = make_bore(depth);
+  const Eigen::MatrixXd C    = make_compliance();
+  ContactSolver         solver(bore, C, pin_radius);
+  ContactSolution       s = solver.solve_force_controlled(at_angle(1000., 0.));
+  double                worst = 0., spread = 0.;
+  const double          pressure = s.pressure.maxCoeff();
+  unsigned int          n_failed = 0;
+  for (unsigned int k = 1; k <= 144; ++k)
+    {
+      const Eigen::Vector2d f = at_angle(1000., 2. * M_PI * k / 72);
+      s                       = solver.solve_force_controlled(f, &s);
+      n_failed += !s.report.converged;
+      worst = std::max({worst,
+                        violation(s, bore, C, f),
+                        difference(s, solver.solve_force_controlled(f))});
+      spread =
+        std::max(spread, std::abs(s.pressure.maxCoeff() / pressure - 1.));
+    }
+  std::cout << "sweep at depth " << 1e3 * depth << " mm: failed " << n_failed
+            << ", conditions and cold start " << (worst < 1e-10)
+            << ", same for all directions " << (spread < 1e-9) << std::endl;
+}
+
+void
+check_extremes()
+{
+  const BoreSurface     bore = make_bore(0.);
+  const Eigen::MatrixXd C    = make_compliance();
+  ContactSolver         solver(bore, C, pin_radius);
+
+  const auto zero = solver.solve_force_controlled(Eigen::Vector2d::Zero());
+  const auto open = solver.solve_position_controlled({5e-6, 0.});
+  std::cout << "zero force: converged " << zero.report.converged << ", force "
+            << zero.force.norm() << ", gap " << 1e6 * zero.gap.minCoeff()
+            << " um, half-angle " << zero.half_angle << ", peak "
+            << peak_pressure(zero, bore)
+            << "; pin in the open: " << open.report.converged
+            << open.active_set.empty() << ", gap " << 1e6 * open.gap.minCoeff()
+            << " um" << std::endl;
+
+  // A stiff bore is a polygon of gaps: with the pin in the corner between the
+  // nodes at 7 and 8 degrees, the lever rule divides the force.
+  const double a = 7. * M_PI / 180., b = 8. * M_PI / 180., angle = 0.1295;
+  unsigned int n_right = 0;
+  for (const double force : {1e-12, 1e-9, 1e-6, 1e-3})
+    {
+      const Eigen::Vector2d f = at_angle(force, angle);
+      const auto            s = solver.solve_force_controlled(f);
+      const double share      = std::sin(b - angle) / std::sin(b - a) * force;
+      // The directions of the gap differ from the angles of the nodes by the
+      // clearance over the radius, 1e-3, times the half spacing.
+      n_right += s.report.converged && s.active_set.size() == 2 &&
+                 std::abs(s.nodal_force[7] / share - 1.) < 1e-2 &&
+                 violation(s, bore, C, f) < 1e-10;
+    }
+  std::cout << "tiny forces: right " << n_right << " of 4" << std::endl;
+
+  for (const double force : {1e6, 1e20})
+    {
+      const auto s = solver.solve_force_controlled(at_angle(force, angle));
+      std::cout << "force " << std::scientific << std::setprecision(0) << force
+                << std::fixed << std::setprecision(2) << ": converged "
+                << s.report.converged << " " << s.report.message << std::endl;
+    }
+}
+
+/// Half-angle and peak of pressures that are known.
+void
+check_reading()
+{
+  const BoreSurface bore = make_bore(0.);
+  for (const double half_angle : {2.2, 20.3, 20.8, 170.6})
+    {
+      ContactSolution s;
+      s.pressure = Eigen::VectorXd::Zero(n_nodes);
+      for (Eigen::Index i = 0; i < n_nodes; ++i)
+        {
+          // Centred at 30.5 degrees, around the first node for the widest.
+          const double angle = std::remainder(i - 30.5, 360.) / half_angle;
+          s.pressure[i]      = std::sqrt(std::max(0., 1. - angle * angle));
+          if (s.pressure[i] > 0.)
+            s.active_set.push_back(i);
+        }
+      const double peak                = peak_pressure(s, bore);
+      s.pressure[s.active_set.front()] = 3.;
+      std::cout << "contact of " << half_angle << " deg read as "
+                << 180. / M_PI * contact_half_angle(s, bore) << ", peak "
+                << peak << ", with a spike at the edge "
+                << peak_pressure(s, bore) << std::endl;
+    }
+}
+
+int
+main()
+{
+  std::cout << std::fixed << std::setprecision(2);
+  for (const double depth : {0., 0.3e-3})
+    {
+      check_bore(depth);
+      check_directions(depth);
+    }
+  check_extremes();
+  check_reading();
+}

@@ -1,0 +1,181 @@
+"""The modules include only what the architecture allows.
+
+Checked are the #include lines of include/tribody/<module>/ and
+source/<module>/, the DEPENDS of source/<module>/CMakeLists.txt, that headers
+do not include each other in a circle, and the include guards. Tests and
+benchmarks may include anything.
+
+Usage: check_includes.py ROOT
+"""
+
+import os
+import re
+import sys
+
+from offences import Offences, find_files, read_lines
+
+# What each module may include beside itself. A part that must call another one
+# declares a small interface or takes a function; `coupling` supplies it.
+ALLOWED = {
+    "base": set(),
+    "surface": {"base"},
+    "multibody": {"base", "surface"},
+    "elasticity": {"base", "surface"},
+    "geometry": {"base", "surface"},
+    "contact": {"base", "surface"},
+    "wear": {"base", "surface"},
+    "output": {"base", "surface"},
+}
+ALLOWED["coupling"] = set(ALLOWED)
+
+# Headers that the build writes; they belong to the module that includes them.
+GENERATED = {"tribody_version.h"}
+
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def may_include(module):
+    return ", ".join([module] + sorted(ALLOWED[module]))
+
+
+def module_of(root, path):
+    """Module of a file, "main" for source/main.cc, None if it has none."""
+    parts = os.path.relpath(path, root).split(os.sep)
+    if parts == ["source", "main.cc"]:
+        return "main"
+    directory = parts[2:] if parts[:2] == ["include", "tribody"] else parts[1:]
+    return directory[0] if len(directory) > 1 and directory[0] in ALLOWED else None
+
+
+def included_header(root, path, bracket, name):
+    """Path of the project's header that a line includes, None if not ours."""
+    if name in GENERATED:
+        return None
+    if name.startswith("tribody/"):
+        return os.path.join(root, "include", name)
+    if bracket == '"':
+        return os.path.normpath(os.path.join(os.path.dirname(path), name))
+    return None
+
+
+def check_includes(root, path, module, offences):
+    """Returns the project's headers that a file includes: (line, path)."""
+    found = []
+    for number, line in enumerate(read_lines(path), 1):
+        match = INCLUDE.match(line)
+        if not match:
+            continue
+        header = included_header(root, path, *match.groups())
+        if header is None:
+            continue
+        if not os.path.exists(header):
+            offences.add(
+                path,
+                number,
+                f"{match.group(2)} does not exist; "
+                "write #include <tribody/MODULE/FILE.h>",
+            )
+            continue
+        found.append((number, header))
+        other = module_of(root, header)
+        if other is None:
+            offences.add(path, number, f"{match.group(2)} belongs to no module")
+        elif module != "main" and other != module and other not in ALLOWED[module]:
+            offences.add(
+                path,
+                number,
+                f"{module} must not include {other}; it may include "
+                f"{may_include(module)}. Declare an interface or take a "
+                "function, and let coupling supply it.",
+            )
+    return found
+
+
+def check_guard(root, path, module, offences):
+    stem = os.path.splitext(os.path.basename(path))[0]
+    guard = f"tribody_{module}_{re.sub(r'[^A-Za-z0-9]', '_', stem)}_h"
+    directives = [
+        (number, line.split())
+        for number, line in enumerate(read_lines(path), 1)
+        if line.startswith("#")
+    ]
+    wanted = [(0, ["#ifndef", guard]), (1, ["#define", guard]), (-1, ["#endif"])]
+    for index, right in wanted:
+        number, line = directives[index] if len(directives) > 2 else (1, [])
+        if line[: len(right)] != right:
+            offences.add(
+                path,
+                number,
+                "include guard: here should be '" + " ".join(right) + "'",
+            )
+            return
+
+
+def check_depends(root, module, offences):
+    path = os.path.join(root, "source", module, "CMakeLists.txt")
+    if not os.path.exists(path):
+        return
+    inside = False
+    for number, line in enumerate(read_lines(path), 1):
+        for word in re.findall(r"[A-Za-z_0-9.]+|[()]", line.split("#")[0]):
+            if word == "DEPENDS":
+                inside = True
+            elif word == ")" or word.isupper():
+                inside = False
+            elif inside and word not in ALLOWED[module]:
+                offences.add(
+                    path,
+                    number,
+                    f"{module} must not depend on {word}; it may depend on "
+                    f"{', '.join(sorted(ALLOWED[module])) or 'no module'}",
+                )
+
+
+def check_circles(graph, offences):
+    """Depth-first search; reports the line that closes each circle."""
+    done, path = set(), []
+
+    def visit(file):
+        path.append(file)
+        for number, header in graph.get(file, []):
+            if header in path:
+                circle = path[path.index(header) :] + [header]
+                names = " -> ".join(os.path.basename(f) for f in circle)
+                offences.add(
+                    file, number, f"headers include each other in a circle: {names}"
+                )
+            elif header not in done:
+                visit(header)
+        path.pop()
+        done.add(file)
+
+    for file in graph:
+        if file not in done:
+            visit(file)
+
+
+def main(root):
+    offences = Offences(root)
+    files = find_files(root, ("include", "source"), (".h", ".cc"))
+    graph = {}
+    for path in files:
+        module = module_of(root, path)
+        if module is None:
+            offences.add(
+                path,
+                1,
+                "is in no module; it should be in include/tribody/MODULE or "
+                f"source/MODULE with MODULE one of {', '.join(ALLOWED)}",
+            )
+            continue
+        graph[path] = check_includes(root, path, module, offences)
+        if path.endswith(".h"):
+            check_guard(root, path, module, offences)
+    for module in ALLOWED:
+        check_depends(root, module, offences)
+    check_circles(graph, offences)
+    offences.exit(len(files), "source files")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

@@ -1,0 +1,127 @@
+"""The style checks find what they are there to find.
+
+A small correct project must pass; then one offence at a time is made in it,
+and the check must fail and name the file and line of that offence.
+
+Usage: self_test.py
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+HEADER = """\
+#ifndef tribody_{module}_{name}_h
+#define tribody_{module}_{name}_h
+
+{include}namespace Tribody
+{{
+  struct {name}
+  {{
+    double value;
+  }};
+}} // namespace Tribody
+
+#endif
+"""
+
+
+def header(module, name, include=""):
+    return HEADER.format(
+        module=module, name=name, include=include and f"#include <{include}>\n\n"
+    )
+
+
+CORRECT = {
+    "include/tribody/base/a.h": header("base", "a"),
+    "include/tribody/base/b.h": header("base", "b", "tribody/base/a.h"),
+    "include/tribody/contact/c.h": header("contact", "c", "tribody/base/a.h"),
+    "include/tribody/wear/w.h": header("wear", "w"),
+    "source/wear/w.cc": "#include <tribody/wear/w.h>\n",
+    "source/wear/CMakeLists.txt": "tribody_module(wear SOURCES w.cc DEPENDS base)\n",
+    "source/main.cc": "// MPI_COMM_WORLD\nint communicator = MPI_COMM_WORLD;\n",
+    "prm/a.prm": "set A = 1\n",
+    "README.md": "See include/tribody/home/a and https://b.org/home/c.\n",
+}
+
+# check, file, its new content, line at which the offence must be reported
+OWN = "/" + "home/somebody/data"
+NOTE = "// TO" + "DO: later\n"
+OFFENCES = [
+    ("format", "source/wear/w.cc", "#include <tribody/wear/w.h>\n\nint  i;\n", 3),
+    ("format", "tests/wear/t.cc", "int main(){}\n", 1),
+    ("includes", "source/wear/w.cc", "#include <tribody/contact/c.h>\n", 1),
+    ("includes", "source/wear/w.cc", '#include "../contact/c.h"\n', 1),
+    ("includes", "source/wear/w.cc", "\n#include <tribody/wear/none.h>\n", 2),
+    ("includes", "include/tribody/base/a.h", header("base", "a", "tribody/wear/w.h"), 4),
+    ("includes", "include/tribody/base/a.h", header("wear", "a"), 1),
+    ("includes", "include/tribody/base/a.h", "#pragma once\n", 1),
+    ("includes", "include/tribody/base/b.h", header("base", "b").replace(
+        "#define tribody_base_b_h", "#define tribody_base_c_h"), 2),
+    ("includes", "source/wear/CMakeLists.txt",
+     "tribody_module(wear SOURCES w.cc\n DEPENDS base contact)\n", 2),
+    ("includes", "source/stray/s.cc", "int i;\n", 1),
+    ("sources", "source/wear/w.cc", "int i;\nint c = MPI_COMM_WORLD;\n", 2),
+    ("sources", "source/wear/w.cc", "int i;\n" + NOTE, 2),
+    ("sources", "source/main.cc", "\n" * 61, 61),
+    ("sources", "prm/a.prm", "set A = 1\nset B = " + "1" * 100 + "\n", 2),
+    ("sources", "prm/a.prm", f"set File = {OWN}\n", 1),
+]
+
+
+def write(root, name, content):
+    path = os.path.join(root, name)
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(content)
+
+
+def run(check, root):
+    return subprocess.run(
+        [sys.executable, "-B", os.path.join(HERE, f"check_{check}.py"), root],
+        capture_output=True,
+        text=True,
+    )
+
+
+def project(root):
+    shutil.copy(os.path.join(HERE, "..", "..", ".clang-format"), root)
+    for name, content in CORRECT.items():
+        write(root, name, content)
+
+
+def main():
+    failures = 0
+    for check in ("format", "includes", "sources"):
+        with tempfile.TemporaryDirectory() as root:
+            project(root)
+            result = run(check, root)
+            if result.returncode != 0:
+                failures += 1
+                print(f"{check}: a correct project fails:\n{result.stdout}{result.stderr}")
+
+    # Two files that include each other are allowed by every other rule.
+    circle = ("includes", "include/tribody/base/a.h",
+              header("base", "a", "tribody/base/b.h"), 4)
+    for check, name, content, line in OFFENCES + [circle]:
+        with tempfile.TemporaryDirectory() as root:
+            project(root)
+            write(root, name, content)
+            result = run(check, root)
+            # A circle is reported where it closes, which may be either header.
+            place = ".h:4: headers include" if content == circle[2] else f"{name}:{line}:"
+            if result.returncode != 1 or place not in result.stdout:
+                failures += 1
+                print(f"{check}: missed the offence at {name}:{line}; its output:\n"
+                      f"{result.stdout}{result.stderr}")
+
+    print(f"{len(OFFENCES) + 1} offences tried, {failures} failures.")
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
