@@ -8,7 +8,9 @@
 //
 // Steel in PTFE, 10 um (the validation mechanism): contact is never lost, and
 // the start leaves no vibration in the recorded cycle. The mean force must be
-// near the ideal one. The same with a clearance in the wrist pin as well.
+// near the ideal one. The same with a clearance in the wrist pin as well, whose
+// sliding reverses twice in a cycle: the change of friction shows in the
+// measure of vibration.
 
 #include "report.h"
 #include "slider_crank.h"
@@ -36,10 +38,9 @@ steel_error(const double accuracy)
         std::max(error, std::abs(joint.friction_force(s) / table[s][2] - 1));
       error = std::max(error, std::abs(joint.force()(s) / table[s][3] - 1));
     }
-  std::cout << "accuracy " << accuracy << ": " << table.size() << " rows, "
-            << cycle.settling.n_cycles << " cycles, settled "
-            << cycle.settling.converged << ", losses " << joint.n_losses
-            << std::endl;
+  std::cout << "steel: " << table.size() << " rows, " << cycle.settling.n_cycles
+            << " cycles, settled " << cycle.settling.converged << ", losses "
+            << joint.n_losses << std::endl;
   return error;
 }
 
@@ -60,7 +61,7 @@ steel_drift()
 }
 
 void
-ptfe(const std::vector<unsigned int> &joints)
+ptfe(const std::vector<unsigned int> &joints, const double bound)
 {
   MechanismParameters p = validation(2);
   const DutyCycle     ideal =
@@ -80,7 +81,7 @@ ptfe(const std::vector<unsigned int> &joints)
       std::cout << "  " << joint.name << ": losses " << joint.n_losses
                 << ", following " << joint.share_of(ContactState::following)
                 << std::endl;
-      report_below("  residual ringing", joint.residual_ringing, 1e-3);
+      report_below("  residual ringing", joint.residual_ringing, bound);
       report_value("  mean force over ideal",
                    joint.mean_force() / ideal.joints[j].mean_force(),
                    2);
@@ -90,13 +91,54 @@ ptfe(const std::vector<unsigned int> &joints)
     }
 }
 
+// The pin has sunk into the bore by 0.45 mm on the side of the load. The force
+// of friction turns the contact away from the load's 180 degrees by atan 0.15.
+void
+worn()
+{
+  MechanismParameters p = validation(2);
+  add_ptfe_clearance(p, 1);
+  const double clearance = p.joints[1].bushing_radius - p.joints[1].pin_radius;
+  const double e         = clearance + 0.45e-3;
+  const int    n         = 720;
+  const Eigen::VectorXd angles =
+    Eigen::VectorXd::LinSpaced(n, 0., 2 * M_PI * (n - 1) / n);
+  Eigen::VectorXd clearances(n);
+  for (int i = 0; i < n; ++i)
+    {
+      const double x = angles(i) - (M_PI - std::atan(0.15));
+      const double r = p.joints[1].pin_radius;
+      clearances(i) =
+        std::max(clearance,
+                 e * std::cos(x) +
+                   std::sqrt(r * r - e * e * std::sin(x) * std::sin(x)) - r);
+    }
+  const Mechanism mechanism(p);
+  const DutyCycle cycle =
+    CycleSimulation(mechanism, DynamicsParameters())
+      .run({{"crank_pin", ClearanceProfile(angles, clearances)}});
+  const JointDutyCycle &joint = cycle.joint("crank_pin");
+  std::cout << "worn by 0.45 mm: " << cycle.settling.n_cycles
+            << " cycles, settled " << cycle.settling.converged << ", losses "
+            << joint.n_losses << std::endl;
+  report_below("  residual ringing", joint.residual_ringing, 5e-4);
+  report_value("  mean contact angle [deg]",
+               joint.contact_angle_bushing.mean() * 180 / M_PI,
+               1);
+  report_value("  least eccentricity [um]",
+               1e6 * joint.eccentricity.minCoeff(),
+               0);
+}
+
 int
 main()
 {
-  const double coarse = steel_error(1e-3), fine = steel_error(1e-5);
-  report_below("  largest relative error, accuracy 1e-3", coarse, 1e-2);
+  const double coarse = steel_error(DynamicsParameters().accuracy),
+               fine   = steel_error(1e-5);
+  report_below("  largest relative error, default accuracy", coarse, 1e-3);
   report_below("  largest relative error, accuracy 1e-5", fine, 1e-4);
   steel_drift();
-  ptfe({1});
-  ptfe({1, 2});
+  ptfe({1}, 5e-4);
+  ptfe({1, 2}, 2e-3);
+  worn();
 }
