@@ -112,19 +112,21 @@ namespace Tribody
     double
     CycleRecorder::difference(const CycleRecorder &other) const
     {
+      // Without the first record, which the cycle before has as its last: the
+      // very first cycle begins half an interval late and has none.
+      const auto            now = forces.rightCols(2 * n_samples);
+      const Eigen::MatrixXd change =
+        now - other.forces.rightCols(2 * n_samples);
       double largest = 0.;
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
         {
           const double scale =
-            forces.middleRows(2 * j, 2).colwise().norm().maxCoeff();
+            now.middleRows(2 * j, 2).colwise().norm().maxCoeff();
           if (scale > 0)
-            largest = std::max(largest,
-                               (forces - other.forces)
-                                   .middleRows(2 * j, 2)
-                                   .colwise()
-                                   .norm()
-                                   .maxCoeff() /
-                                 scale);
+            largest =
+              std::max(largest,
+                       change.middleRows(2 * j, 2).colwise().norm().maxCoeff() /
+                         scale);
         }
       return largest;
     }

@@ -161,6 +161,12 @@ namespace Tribody
             break;
           std::swap(before, now);
         }
+      if (!settling.converged)
+        settling.message += std::string(settling.message.empty() ? "" : "; ") +
+                            "the joint forces still changed by " +
+                            std::to_string(100 * settling.repeat_difference) +
+                            " % of the largest one from cycle to cycle after " +
+                            std::to_string(settling.n_cycles) + " cycles";
 
       DutyCycle cycle        = now->make_duty_cycle(integrator.events());
       cycle.settling         = settling;

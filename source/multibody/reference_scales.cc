@@ -9,6 +9,8 @@
 #include <tribody/multibody/reference_scales.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace Tribody
 {
@@ -16,12 +18,57 @@ namespace Tribody
   {
     namespace
     {
-      // Mean reaction of each joint of the closed mechanism over a cycle.
-      std::vector<double>
-      mean_ideal_forces(const EquationsOfMotion &closed)
+      // Where the sliding of a joint reverses, the speed must be known better
+      // than friction's transition is wide, already at an accuracy of 1e-3: the
+      // two-joint PTFE mechanism did not settle otherwise.
+      constexpr double transition_factor = 3.;
+
+
+
+      // A joint over a cycle with ideal joints.
+      struct IdealJoint
+      {
+        // Mean reaction [N]; zero if not known.
+        double mean_force = 0.;
+        // Range of the angular speed of pin against bushing [rad/s]; such
+        // that it contains zero if not known.
+        double slowest = 0., fastest = 0.;
+      };
+
+
+
+      void
+      add_sample(const Mechanism         &mechanism,
+                 const Motion            &motion,
+                 const bool               is_first,
+                 const double             weight,
+                 std::vector<IdealJoint> &joints)
+      {
+        for (unsigned int j = 0; j < joints.size(); ++j)
+          {
+            const JointEntry  &entry = mechanism.joints()[j];
+            const unsigned int row =
+              mechanism.constraints()[entry.index].first_row;
+            const PairVector v     = entry.bodies.gather(motion.v);
+            const double     speed = v(2) - v(5);
+            joints[j].mean_force +=
+              weight * motion.multipliers.segment<2>(row).norm();
+            joints[j].slowest =
+              is_first ? speed : std::min(joints[j].slowest, speed);
+            joints[j].fastest =
+              is_first ? speed : std::max(joints[j].fastest, speed);
+          }
+      }
+
+
+
+      std::vector<IdealJoint>
+      run_ideal_cycle(const EquationsOfMotion &closed)
       {
         const Mechanism        &mechanism = closed.mechanism();
-        std::vector<double>     means(mechanism.joints().size(), 0.);
+        std::vector<IdealJoint> joints(mechanism.joints().size());
+        if (mechanism.n_degrees_of_freedom() != 0)
+          return joints;
         const ConstraintOffsets none(mechanism.n_constraints());
         const Eigen::VectorXd   no_force =
           Eigen::VectorXd::Zero(mechanism.n_coordinates());
@@ -32,15 +79,22 @@ namespace Tribody
             const double t      = k * mechanism.period() / n_samples;
             const Motion motion = solve_motion(closed, t, none, no_force, q);
             q                   = motion.q;
-            for (unsigned int j = 0; j < means.size(); ++j)
-              {
-                const NumberedConstraint &c =
-                  mechanism.constraints()[mechanism.joints()[j].index];
-                means[j] +=
-                  motion.multipliers.segment<2>(c.first_row).norm() / n_samples;
-              }
+            add_sample(mechanism, motion, k == 0, 1. / n_samples, joints);
           }
-        return means;
+        return joints;
+      }
+
+
+
+      // The speed at which friction changes its sign, v_0 of the tanh;
+      // infinite without friction.
+      double
+      friction_transition_speed(const FrictionLaw &law)
+      {
+        const double slope = compute_friction_ratio(law, 0.).d_sliding_speed;
+        constexpr double very_fast = 1e6;
+        return slope > 0 ? compute_friction_ratio(law, very_fast).value / slope
+                         : std::numeric_limits<double>::infinity();
       }
 
 
@@ -86,14 +140,12 @@ namespace Tribody
     {
       if (mechanism.clearance_joints().empty())
         return {};
-      std::vector<double> forces(mechanism.joints().size(), 0.);
-      if (closed.mechanism().n_degrees_of_freedom() == 0)
-        forces = mean_ideal_forces(closed);
+      const std::vector<IdealJoint> ideal = run_ideal_cycle(closed);
       const double          default_force = mechanism.masses().maxCoeff();
       const Eigen::VectorXd q             = assemble_configuration(closed, 0.);
 
       std::vector<ReferenceScale> scales;
-      for (unsigned int j = 0; j < forces.size(); ++j)
+      for (unsigned int j = 0; j < ideal.size(); ++j)
         {
           const JointEntry &entry = mechanism.joints()[j];
           if (!entry.has_clearance)
@@ -101,20 +153,28 @@ namespace Tribody
           const ClearanceJoint &joint =
             mechanism.clearance_joints()[entry.index];
           ReferenceScale scale;
-          scale.force =
-            forces[j] > 1e-3 * default_force ? forces[j] : default_force;
-          scale.penetration = compute_penetration(joint.contact_law,
+          scale.force               = ideal[j].mean_force > 1e-3 * default_force
+                                        ? ideal[j].mean_force
+                                        : default_force;
+          scale.penetration         = compute_penetration(joint.contact_law,
                                                   scale.force,
                                                   0.,
                                                   joint.minimum_approach_speed);
-          const double stiffness =
-            compute_normal_force(joint.contact_law,
-                                 {scale.penetration,
-                                  0.,
-                                  joint.minimum_approach_speed})
-              .d_penetration;
-          scale.frequency = std::sqrt(
-            stiffness * largest_inverse_mass(mechanism, closed, q, j));
+          const NormalForce contact = compute_normal_force(
+            joint.contact_law,
+            {scale.penetration, 0., joint.minimum_approach_speed});
+          scale.frequency =
+            std::sqrt(contact.d_penetration *
+                      largest_inverse_mass(mechanism, closed, q, j));
+          scale.speed = scale.penetration * scale.frequency;
+          if (contact.d_penetration_rate > 0)
+            scale.speed =
+              std::min(scale.speed, scale.force / contact.d_penetration_rate);
+          if (ideal[j].slowest <= 0 && ideal[j].fastest >= 0)
+            scale.speed =
+              std::min(scale.speed,
+                       transition_factor *
+                         friction_transition_speed(joint.friction_law));
           scales.push_back(scale);
         }
       return scales;
@@ -128,12 +188,19 @@ namespace Tribody
                     const DynamicsParameters          &parameters)
     {
       const unsigned int n_bodies = mechanism.parameters().bodies.size();
-      // Without contacts: the size of the mechanism, and radians per second.
-      double shortest = 1e-4 * mechanism.size(), fastest = 1.;
+      double             shortest = std::numeric_limits<double>::infinity();
+      double             slowest = shortest, fastest = 0.;
       for (const ReferenceScale &scale : scales)
         {
           shortest = std::min(shortest, scale.penetration);
+          slowest  = std::min(slowest, scale.speed);
           fastest  = std::max(fastest, scale.frequency);
+        }
+      if (scales.empty())
+        {
+          // A part of the mechanism's size, in a second.
+          shortest = 1e-4 * mechanism.size();
+          slowest  = shortest;
         }
 
       MotionTolerances tolerances;
@@ -141,21 +208,23 @@ namespace Tribody
       tolerances.velocities.resize(mechanism.n_coordinates());
       for (unsigned int i = 0; i < n_bodies; ++i)
         {
-          double length = 0., frequency = 0.;
+          double length = 0., speed = 0.;
           for (unsigned int j = 0; j < scales.size(); ++j)
             {
               const BodyPair &bodies = mechanism.clearance_joints()[j].bodies;
               if (bodies.first != static_cast<int>(i) &&
                   bodies.second != static_cast<int>(i))
                 continue;
-              length    = (length == 0) ? scales[j].penetration
-                                        : std::min(length, scales[j].penetration);
-              frequency = std::max(frequency, scales[j].frequency);
+              const bool is_first = (length == 0);
+              length              = is_first ? scales[j].penetration
+                                             : std::min(length, scales[j].penetration);
+              speed =
+                is_first ? scales[j].speed : std::min(speed, scales[j].speed);
             }
           if (length == 0)
             {
-              length    = shortest;
-              frequency = fastest;
+              length = shortest;
+              speed  = slowest;
             }
           double lever = 0.;
           for (const auto &[name, p] : mechanism.parameters().bodies[i].markers)
@@ -164,8 +233,8 @@ namespace Tribody
             lever = mechanism.size();
           tolerances.positions.segment<3>(3 * i) << length, length,
             length / lever;
-          tolerances.velocities.segment<3>(3 * i) =
-            frequency * tolerances.positions.segment<3>(3 * i);
+          tolerances.velocities.segment<3>(3 * i) << speed, speed,
+            speed / lever;
         }
       tolerances.positions *= parameters.accuracy;
       tolerances.velocities *= parameters.accuracy;

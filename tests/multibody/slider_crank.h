@@ -32,8 +32,8 @@ namespace SliderCrank
   inline MechanismParameters
   make(const Numbers &x, const double length_factor, const double speed = M_PI)
   {
-    const double        a = length_factor * x.crank_length;
-    const double        l = length_factor * x.follower_length;
+    const double        a    = length_factor * x.crank_length;
+    const double        l    = length_factor * x.follower_length;
     const double        wall = 10.;
     MechanismParameters p;
     p.ground.markers = {{"O", {0., 0.}}, {"W", {wall, 0.}}};
@@ -101,16 +101,9 @@ namespace SliderCrank
   inline MechanismParameters
   validation(const double length_factor)
   {
-    return make({0.0381,
-                 0.1016,
-                 0.4045,
-                 0.8175,
-                 5.5487,
-                 204e-6,
-                 5500e-6,
-                 525.4,
-                 90.},
-                length_factor);
+    return make(
+      {0.0381, 0.1016, 0.4045, 0.8175, 5.5487, 204e-6, 5500e-6, 525.4, 90.},
+      length_factor);
   }
 
   /// Tables 1-2.
@@ -151,6 +144,13 @@ namespace SliderCrank
     j.bushing_material.name           = "PTFE";
     j.bushing_material.youngs_modulus = 0.139e9;
     j.bushing_material.poissons_ratio = 0.38;
+  }
+
+  /// Radius of the bushing of joint number @p joint [m].
+  inline double
+  joint_radius(const Mechanism &mechanism, const unsigned int joint)
+  {
+    return mechanism.joints()[joint].bushing_radius;
   }
 
   /// The rows of a reference table, without comments and the header.

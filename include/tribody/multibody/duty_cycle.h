@@ -64,7 +64,8 @@ namespace Tribody
       double peak_force_since_start = 0.;
       /// Vibration left in the force, relative to its peak: the largest fourth
       /// difference of the force over half intervals, divided by 16, which
-      /// leaves what alternates and cancels what is smooth [-].
+      /// leaves what alternates and cancels what is smooth [-]. A reversal of
+      /// friction counts too.
       double residual_ringing = 0.;
 
       /// Magnitude of the total force [N].

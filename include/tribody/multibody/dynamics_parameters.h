@@ -16,7 +16,7 @@ namespace Tribody
     struct DynamicsParameters
     {
       /// Local error allowed in a penetration, relative to its size [-].
-      double accuracy = 1e-3;
+      double accuracy = 3e-4;
       /// Highest order of BDF; 0: 2 with clearance joints, 5 without.
       unsigned int maximum_order = 0;
       /// Samples of a duty cycle, at equal times.

@@ -21,6 +21,11 @@ namespace Tribody
       double penetration;
       /// Angular frequency of the contact's vibration about it [rad/s].
       double frequency;
+      /// Smallest of three speeds [m/s] at which the joint force changes by
+      /// its own size: penetration times frequency; the penetration rate that
+      /// doubles the force by hysteresis; and where the sliding reverses, 3
+      /// times the speed at which friction changes its sign.
+      double speed;
     };
 
     /**
@@ -39,11 +44,11 @@ namespace Tribody
 
     /**
      * Error weights: @f$ \varepsilon\,\delta @f$ for positions and
-     * @f$ \varepsilon\,\delta\,\omega @f$ for velocities of each body, from the
-     * clearance joints that it belongs to, or the most sensitive one if none.
-     * Relative tolerances would be useless: forces depend on penetrations of
-     * micrometres in coordinates of metres. Without clearance joints, 1e-4 of
-     * the mechanism's size takes the place of the penetration.
+     * @f$\varepsilon@f$ times the speed scale for velocities of each body, from
+     * the clearance joints that it belongs to, or the most sensitive one if
+     * none. Relative tolerances would be useless: forces depend on penetrations
+     * of micrometres in coordinates of metres. Without clearance joints, 1e-4
+     * of the mechanism's size takes the place of the penetration.
      */
     MotionTolerances
     make_tolerances(const Mechanism                   &mechanism,

@@ -1,0 +1,257 @@
+// Derivatives of all elements against central differences at a state without
+// any symmetry: constraints (first and second derivatives), spring with damper,
+// and the clearance joint in contact with a bore that is not round and a
+// sliding speed in the middle of the friction law's smooth part. Differences
+// are of second order, so 1e-6 relative is what they can show; no entry may be
+// wrong.
+//
+// The clearance profile meets its nodal values, is periodic, and its
+// derivatives converge to those of the smooth function that it was made from.
+// Penetrations found for a force give that force.
+
+#include "report.h"
+#include <tribody/multibody/angle_driver.h>
+#include <tribody/multibody/clearance_joint.h>
+#include <tribody/multibody/revolute_constraint.h>
+#include <tribody/multibody/spring.h>
+#include <tribody/multibody/translational_constraint.h>
+#include <tribody/surface/clearance_profile.h>
+
+#include <functional>
+
+using namespace Tribody;
+using namespace Tribody::Multibody;
+
+// Central differences of a vector function of six variables. Step per variable.
+Eigen::MatrixXd
+differences(const std::function<Eigen::VectorXd(const PairVector &)> &f,
+            const PairVector                                         &x,
+            const double                                              step)
+{
+  Eigen::MatrixXd result(f(x).size(), 6);
+  for (int k = 0; k < 6; ++k)
+    {
+      const PairVector d = step * PairVector::Unit(k);
+      result.col(k)      = (f(x + d) - f(x - d)) / (2 * step);
+    }
+  return result;
+}
+
+double
+relative_error(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
+{
+  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+}
+
+void
+check_constraint(const std::string &name, const Constraint &c)
+{
+  PairVector q;
+  q << 0.3, -0.2, 0.7, 0.9, 0.4, -1.1;
+  const Eigen::Vector2d w(0.6, -1.7);
+  report_below(name + ", first derivative",
+               relative_error(
+                 c.jacobian(q),
+                 differences([&](
+                               const PairVector &x) { return c.value(0.3, x); },
+                             q,
+                             1e-5)),
+               1e-8);
+  report_below(name + ", second derivative",
+               (c.weighted_hessian(q, w) - differences(
+                                             [&](const PairVector &x) {
+                                               return Eigen::VectorXd(
+                                                 c.jacobian(x).transpose() * w);
+                                             },
+                                             q,
+                                             1e-5))
+                 .lpNorm<Eigen::Infinity>(),
+               1e-8);
+}
+
+void
+check_spring()
+{
+  Spring     spring = {{0, 1}, {0.1, 0.2}, {-0.3, 0.1}, 500., 7., 0.4, 30.};
+  PairVector q, v;
+  q << 0.3, -0.2, 0.7, 0.9, 0.4, -1.1;
+  v << 0.5, 0.1, -2., 0.3, -0.4, 1.3;
+  const PairForce f = spring.compute_force(q, v);
+  report_below("spring, derivative by position",
+               relative_error(f.d_position,
+                              differences(
+                                [&](const PairVector &x) {
+                                  return spring.compute_force(x, v).force;
+                                },
+                                q,
+                                1e-5)),
+               1e-7);
+  report_below("spring, derivative by velocity",
+               relative_error(f.d_velocity,
+                              differences(
+                                [&](const PairVector &x) {
+                                  return spring.compute_force(q, x).force;
+                                },
+                                v,
+                                1e-5)),
+               1e-7);
+  // The conservative part is the gradient of the potential energy.
+  spring.damping = 0.;
+  report_below("spring, force and potential energy",
+               relative_error(spring.compute_force(q, v).force.transpose(),
+                              differences(
+                                [&](const PairVector &x) {
+                                  return Eigen::VectorXd::Constant(
+                                    1, -spring.potential_energy(x));
+                                },
+                                q,
+                                1e-5)),
+               1e-7);
+}
+
+ClearanceProfile
+worn_profile(const unsigned int n)
+{
+  const Eigen::VectorXd angles =
+    Eigen::VectorXd::LinSpaced(n, 0., 2 * M_PI * (n - 1) / n);
+  return ClearanceProfile(angles,
+                          1e-5 * (1 + 0.3 * (2 * angles.array()).sin() +
+                                  0.2 * angles.array().cos()));
+}
+
+void
+check_clearance_joint(const std::string &friction, const double damping)
+{
+  const ClearanceProfile clearance = worn_profile(90);
+  ClearanceJoint         joint     = {"joint",
+                                      {0, 1},
+                                      {0.1, 0.2},
+                                      {-0.3, 0.1},
+                                      9.525e-3,
+                                      9.535e-3,
+                                      LankaraniNikraveshLaw{1.5e7, 0.7},
+                                      NoFriction{},
+                                      damping,
+                                      1e-2};
+  if (friction != "none")
+    joint.friction_law = RegularisedCoulombFriction{0.15, 1e-3};
+
+  // Second body such that the pin is 30 um off, in contact, and the bodies'
+  // speeds such that the surfaces slide by 0.4 mm/s and the pin approaches.
+  PairVector q, v;
+  q << 0.3, -0.2, 0.7, 0., 0., -1.1;
+  const Eigen::Vector2d n(std::cos(2.), std::sin(2.));
+  q.segment<2>(3) = marker_position(q.head<3>(), joint.s_1) - 30e-6 * n -
+                    turned(joint.s_2, q(5));
+  v << 0.5, 0.1, -2., 0., 0., 1.3;
+  const Eigen::Vector2d p_t = v.head<2>() +
+                              v(2) * perpendicular(turned(joint.s_1, q(2))) -
+                              v(5) * perpendicular(turned(joint.s_2, q(5)));
+  const double turning = joint.pin_radius * v(2) - joint.bushing_radius * v(5);
+  v.segment<2>(3)      = p_t - 2e-3 * n - (0.4e-3 - turning) * perpendicular(n);
+
+  const auto force = [&](const PairVector &x, const PairVector &y) {
+    return joint.compute_force(x, joint.compute_contact(x, y, clearance, 0.02));
+  };
+  const JointContact contact = joint.compute_contact(q, v, clearance, 0.02);
+  report_value("clearance joint: sliding speed [mm/s]",
+               1e3 * contact.sliding_speed,
+               3);
+  report_value("  normal force [N]", contact.normal_force, 3);
+  const PairForce f =
+    joint.compute_force_with_derivatives(q, v, clearance, 0.02);
+  report_below("  force", relative_error(f.force, force(q, v)), 1e-14);
+  report_below(
+    "  derivative by position",
+    relative_error(
+      f.d_position,
+      differences([&](const PairVector &x) { return force(x, v); }, q, 2e-9)),
+    1e-5);
+  report_below(
+    "  derivative by velocity",
+    relative_error(
+      f.d_velocity,
+      differences([&](const PairVector &x) { return force(q, x); }, v, 1e-7)),
+    1e-5);
+  // Action and reaction: no net force, no net moment about the origin but that
+  // of the penetration between the two contact points.
+  const PairVector      b = f.force;
+  const Eigen::Vector2d r1(q.head<2>()), r2(q.segment<2>(3));
+  const double moment = b(2) + b(5) + perpendicular(r1).dot(b.head<2>()) +
+                        perpendicular(r2).dot(b.segment<2>(3));
+  report_below("  net force over force",
+               (b.head<2>() + b.segment<2>(3)).norm() / contact.normal_force,
+               1e-13);
+  report_below("  net moment over tangential force times penetration",
+               std::abs(moment) / (std::abs(contact.tangential_force) * 21e-6 +
+                                   1e-12 * contact.normal_force),
+               1.5);
+}
+
+void
+check_profile()
+{
+  double errors[2][3];
+  for (const unsigned int i : {0, 1})
+    {
+      const ClearanceProfile profile = worn_profile(90 * (i + 1));
+      for (double &error : errors[i])
+        error = 0.;
+      for (double x = -7.; x < 13.; x += 0.0137)
+        {
+          const ClearanceProfile::Values c        = profile.evaluate(x);
+          const double                   exact[3] = {1 + 0.3 * std::sin(2 * x) +
+                                                       0.2 * std::cos(x),
+                                                     0.6 * std::cos(2 * x) - 0.2 * std::sin(x),
+                                                     -1.2 * std::sin(2 * x) - 0.2 * std::cos(x)};
+          const double                   found[3] = {1e5 * c.clearance,
+                                                     1e5 * c.first_derivative,
+                                                     1e5 * c.second_derivative};
+          for (const unsigned int k : {0, 1, 2})
+            errors[i][k] =
+              std::max(errors[i][k], std::abs(found[k] - exact[k]));
+        }
+    }
+  for (const unsigned int k : {0, 1, 2})
+    report_value("clearance profile, rate of derivative " + std::to_string(k),
+                 std::log2(errors[0][k] / errors[1][k]),
+                 1);
+  report_below("  error at 180 nodes", errors[1][0], 1e-6);
+
+  // Nodes that are not equidistant.
+  const Eigen::VectorXd even =
+    Eigen::VectorXd::LinSpaced(200, 0., 2 * M_PI * 199 / 200);
+  const Eigen::VectorXd  uneven = even.array() + 0.1 * even.array().sin();
+  const ClearanceProfile profile(uneven, 1 + uneven.array().cos());
+  double                 error = 0.;
+  for (double x = -7.; x < 13.; x += 0.0137)
+    error = std::max(error, std::abs(profile.clearance(x) - 1 - std::cos(x)));
+  report_below("  error with uneven nodes", error, 1e-3);
+}
+
+int
+main()
+{
+  const Marker first = {0, {0.1, 0.2}}, second = {1, {-0.3, 0.1}};
+  check_constraint("revolute", RevoluteConstraint("", first, second));
+  check_constraint("translational",
+                   TranslationalConstraint("", first, second, 0.4, 0.2));
+  check_constraint("driver", AngleDriver("", {0, 1}, 0.3, 2.));
+  check_spring();
+  check_clearance_joint("none", 0.);
+  check_clearance_joint("Coulomb regularised", 0.);
+  check_clearance_joint("Coulomb regularised", 200.);
+  check_profile();
+
+  const ContactForceLaw law = LankaraniNikraveshLaw{1.5e10, 0.8};
+  for (const double force : {1e-3, 1e2, 1e5})
+    report_below(
+      "inverse of the contact law",
+      std::abs(
+        compute_normal_force(
+          law, {compute_penetration(law, force, -3e-3, 0.01), -3e-3, 0.01})
+            .value /
+          force -
+        1),
+      1e-10);
+}
