@@ -1,7 +1,7 @@
 // The worn bushing. Known:
 // - without wear, nodes of bore and rim lie on their circles for every degree
 //   (a mapping that only displaces straight-sided cells leaves the nodes inside
-//   the edges 7 um off on this mesh; see the design notes, trap 1);
+//   the edges 20 um off on this mesh; see the design notes, trap 1);
 // - the bore follows a prescribed wear depth, the rim stays;
 // - what is gone from the ring is what the bore curve has gained in area: both
 //   integrate the same polynomials exactly; also with hanging nodes;

@@ -38,8 +38,8 @@ namespace Tribody
      *
      * Use: construct once per mesh, reinit() per geometry, then
      * normal_compliance() for the contact and solve() for output. The stiffness
-     * is assembled and factorised once per geometry. For 180 by 10 quadratic
-     * cells this takes 0.3 s and the compliance 0.7 s.
+     * is assembled and factorised once per geometry. For 180 by 6 quadratic
+     * cells this takes 0.04 s and the compliance 0.1 s.
      */
     class BushingElasticity
     {
