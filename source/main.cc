@@ -17,13 +17,9 @@ main(int argc, char **argv)
   const bool                                     is_first_rank =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-  const auto report = [is_first_rank](const std::string &kind,
-                                      const auto        &print) {
+  const auto report = [is_first_rank](const std::string &message) {
     if (is_first_rank)
-      {
-        std::cerr << kind;
-        print(std::cerr);
-      }
+      std::cerr << message << std::endl;
   };
 
   try
@@ -35,20 +31,17 @@ main(int argc, char **argv)
     }
   catch (const ExcInput &exception)
     {
-      report("Error in the input:\n",
-             [&](std::ostream &out) { exception.print_info(out); });
+      report("Error in the input: " + message_of(exception));
       return 2;
     }
   catch (const dealii::ExceptionBase &exception)
     {
-      report("The run failed:\n",
-             [&](std::ostream &out) { exception.print_info(out); });
+      report("The run failed: " + message_of(exception));
       return 1;
     }
   catch (const std::exception &exception)
     {
-      report("The run failed:\n",
-             [&](std::ostream &out) { out << exception.what() << '\n'; });
+      report(std::string("The run failed: ") + exception.what());
       return 1;
     }
 }

@@ -211,6 +211,7 @@ namespace Tribody
 
   ParameterFile::ParameterFile(const std::string              &file_name,
                                const std::vector<std::string> &overrides)
+    : file_name(file_name)
   {
     read(file_name, 0);
     for (const std::string &text : overrides)
@@ -333,13 +334,11 @@ namespace Tribody
           }
         catch (const ExcInput &exception)
           {
-            std::ostringstream problem;
-            exception.print_info(problem);
             std::vector<std::string> path = assignment.subsections;
             path.push_back(assignment.name);
             throw ExcInput(assignment.location + ": " +
                            boost::algorithm::join(path, "/") + ": " +
-                           boost::algorithm::trim_copy(problem.str()));
+                           message_of(exception));
           }
         for (std::size_t i = 0; i < assignment.subsections.size(); ++i)
           prm.leave_subsection();
@@ -380,7 +379,13 @@ namespace Tribody
   std::string
   ParameterFile::location(const std::string &path) const
   {
-    const Assignment *assignment = find(path);
-    return assignment == nullptr ? "default value" : assignment->location;
+    if (const Assignment *assignment = find(path))
+      return assignment->location;
+
+    const std::vector<std::string> subsections = split_path(path);
+    for (const Assignment &assignment : assignments)
+      if (assignment.subsections == subsections)
+        return assignment.location;
+    return file_name + " (default value)";
   }
 } // namespace Tribody

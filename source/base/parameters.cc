@@ -73,9 +73,10 @@ namespace Tribody
                                                           : shown_unit),
                       dealii::Patterns::Anything(),
                       documentation);
-    prm.add_action(name, [&value, si_unit](const std::string &text) {
-      value = Units::from_string(text, si_unit);
-    });
+    prm.add_action(name,
+                   [&value, si_unit, shown_unit](const std::string &text) {
+                     value = Units::from_string(text, si_unit, shown_unit);
+                   });
   }
 
 

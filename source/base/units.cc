@@ -83,9 +83,12 @@ namespace Tribody
 
 
   double
-  Units::from_string(const std::string &text, const std::string &si_unit)
+  Units::from_string(const std::string &text,
+                     const std::string &si_unit,
+                     const std::string &usual_unit)
   {
-    const std::string trimmed = boost::algorithm::trim_copy(text);
+    const std::string shown_unit = usual_unit.empty() ? si_unit : usual_unit;
+    const std::string trimmed    = boost::algorithm::trim_copy(text);
 
     char        *rest  = nullptr;
     const double value = std::strtod(trimmed.c_str(), &rest);
@@ -93,7 +96,7 @@ namespace Tribody
                 ExcInput("'" + trimmed +
                          "' does not start with a finite "
                          "number; write for example " +
-                         example("1", si_unit)));
+                         example("1", shown_unit)));
 
     const std::string number(trimmed.c_str(), static_cast<const char *>(rest));
     const std::string unit_text =
@@ -111,14 +114,14 @@ namespace Tribody
 
     AssertThrow(!unit_text.empty(),
                 ExcInput("'" + trimmed + "' has no unit; write for example " +
-                         example(number, si_unit)));
+                         example(number, shown_unit)));
 
     const Unit unit = parse_unit(unit_text);
     AssertThrow(unit != nullptr,
                 ExcInput("'" + unit_text +
                          "' is not a unit that UDUNITS-2 "
                          "knows; write for example " +
-                         example(number, si_unit)));
+                         example(number, shown_unit)));
 
     const Unit target = parse_unit(si_unit);
     Assert(target != nullptr, dealii::ExcMessage("bad unit: " + si_unit));
@@ -127,21 +130,23 @@ namespace Tribody
                 ExcInput("'" + unit_text +
                          "' has the wrong dimension; a unit "
                          "such as in " +
-                         example(number, si_unit) + " is needed"));
+                         example(number, shown_unit) + " is needed"));
     return convert(value, unit.get(), target.get());
   }
 
 
 
   std::vector<double>
-  Units::list_from_string(const std::string &text, const std::string &si_unit)
+  Units::list_from_string(const std::string &text,
+                          const std::string &si_unit,
+                          const std::string &usual_unit)
   {
     std::vector<std::string> parts;
     boost::algorithm::split(parts, text, boost::algorithm::is_any_of(","));
 
     std::vector<double> values;
     for (const std::string &part : parts)
-      values.push_back(from_string(part, si_unit));
+      values.push_back(from_string(part, si_unit, usual_unit));
     return values;
   }
 

@@ -1,4 +1,8 @@
+#include <Eigen/LU>
+
 #include <tribody/contact/active_compliance.h>
+
+#include <cmath>
 
 namespace Tribody
 {
@@ -12,6 +16,18 @@ namespace Tribody
         return;
       active_set = nodes;
       factor.compute(compliance(nodes, nodes));
+    }
+
+
+
+    Eigen::Matrix2d
+    invert_pin_stiffness(const Eigen::Matrix2d &stiffness,
+                         const Eigen::Index     n_active)
+    {
+      // The stiffness of one node is k m m^T.
+      if (n_active == 1)
+        return stiffness / std::pow(stiffness.trace(), 2);
+      return stiffness.inverse();
     }
   } // namespace Contact
 } // namespace Tribody

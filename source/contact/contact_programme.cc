@@ -29,11 +29,13 @@ namespace Tribody
             Eigen::Matrix2d    pair;
             pair << m.col(i), m.col(j);
             const Eigen::Vector2d share = pair.inverse() * programme.force;
-            if (m.col(i).dot(programme.force) > 0. && share[0] >= 0. &&
-                share[1] >= 0.)
+            // A force through a node leaves a rounding of either sign to its
+            // neighbours.
+            if (m.col(i).dot(programme.force) > 0. &&
+                share.minCoeff() >= -1e-12 * programme.force.norm())
               {
-                solution.nodal_force[i] = share[0];
-                solution.nodal_force[j] = share[1];
+                solution.nodal_force[i] = std::max(0., share[0]);
+                solution.nodal_force[j] = std::max(0., share[1]);
                 solution.active_set     = {std::min(i, j), std::max(i, j)};
                 return;
               }
@@ -57,17 +59,16 @@ namespace Tribody
 
         const Eigen::MatrixX2d m =
           programme.directions(Eigen::all, active).transpose();
-        const Eigen::MatrixX2d y         = factor.solve(m);
-        const Eigen::VectorXd  z         = factor.solve(gap);
-        Eigen::Matrix2d        stiffness = m.transpose() * y;
-        // One node alone does not hold the pin sideways.
-        stiffness.diagonal().array() += 1e-12 * stiffness.trace();
-        stiffness = stiffness.inverse().eval();
-        pin_step  = stiffness * (programme.force + m.transpose() * z);
+        const Eigen::MatrixX2d y = factor.solve(m);
+        const Eigen::VectorXd  z = factor.solve(gap);
+        const Eigen::Matrix2d  pin_compliance =
+          invert_pin_stiffness(m.transpose() * y, active.size());
+        pin_step = pin_compliance * (programme.force + m.transpose() * z);
         // The difference of two large terms balances the force to their
         // rounding only.
         Eigen::VectorXd forces = y * pin_step - z;
-        forces += y * (stiffness * (programme.force - m.transpose() * forces));
+        forces +=
+          y * (pin_compliance * (programme.force - m.transpose() * forces));
         return forces;
       }
 

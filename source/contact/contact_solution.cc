@@ -78,6 +78,9 @@ namespace Tribody
       double      widest         = -1.;
       for (std::size_t k = 0; k < m; ++k)
         {
+          // Neighbours in contact leave no opening.
+          if (m > 1 && active[(k + 1) % m] == active[k] + 1 && widest >= 0.)
+            continue;
           const Eigen::Vector2d from =
             surface.positions.col(active[k]) - solution.pin_centre;
           const Eigen::Vector2d to =

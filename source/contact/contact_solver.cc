@@ -15,42 +15,6 @@ namespace Tribody
   {
     namespace
     {
-      /**
-       * Nodes in contact stay as long as they are pressed, others enter when
-       * the pin would penetrate them. A node is released because its force
-       * has turned to tension, not because its gap has opened: as long as it
-       * is held, its gap is zero by construction.
-       */
-      ActiveSet
-      update_active_set(const Eigen::VectorXd &nodal_force,
-                        const Eigen::VectorXd &gap,
-                        const ActiveSet       &old,
-                        const double           gap_tolerance)
-      {
-        ActiveSet active;
-        active.reserve(old.size() + 16);
-        auto next_old = old.begin();
-        for (Eigen::Index i = 0; i < gap.size(); ++i)
-          if (next_old != old.end() && *next_old == i)
-            {
-              ++next_old;
-              if (nodal_force[i] > 0.)
-                active.push_back(i);
-            }
-          else if (gap[i] < -gap_tolerance)
-            active.push_back(i);
-        return active;
-      }
-
-      double
-      largest(const Eigen::VectorXd &values, const ActiveSet &active)
-      {
-        double result = 0.;
-        for (const Eigen::Index i : active)
-          result = std::max(result, std::abs(values[i]));
-        return result;
-      }
-
       SolverReport
       failure(SolverReport report, const std::string &message)
       {
@@ -79,32 +43,32 @@ namespace Tribody
       const Eigen::Vector2d &force_per_length,
       const ContactSolution *warm_start)
     {
-      const PinGap centred(surface.positions,
-                           Eigen::Vector2d::Zero(),
-                           pin_radius);
       const double force = force_per_length.norm();
-      if (force == 0. && centred.gap.minCoeff() >= 0.)
+      if (force == 0.)
         {
           Iterate untouched;
           untouched.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
-          return make_solution(untouched, {true, 0, 0., ""});
+          evaluate_gap(untouched);
+          if (untouched.gap.minCoeff() >= 0.)
+            return make_solution(untouched, {true, 0, 0., ""});
         }
 
-      Iterate iterate =
-        first_iterate(force > 0. ? Eigen::Vector2d(force_per_length / force)
-                                 : Eigen::Vector2d(Eigen::Vector2d::Zero()),
-                      warm_start);
-      SolverReport report = iterate_pin_and_forces(force_per_length, iterate);
+      Iterate      iterate = first_iterate(force_per_length, warm_start);
+      SolverReport report  = iterate_pin_and_forces(force_per_length, iterate);
       if (!report.converged)
-        iterate.pin_centre.setZero();
+        {
+          iterate.pin_centre.setZero();
+          iterate.nodal_force.setZero();
+          iterate.active_set.clear();
+        }
       for (unsigned int k = 0;
            !report.converged && k < parameters.max_linearisations;
            ++k)
         {
           if (!solve_programme(&force_per_length, iterate))
             break;
-          // The programme's pin centre is where to linearise next; Newton
-          // converges from there, or leaves it as it was.
+          // If Newton does not converge from the programme's solution, that is
+          // where to linearise next.
           Iterate            polished = iterate;
           const unsigned int n_before = report.n_iterations;
           report = iterate_pin_and_forces(force_per_length, polished);
@@ -124,6 +88,7 @@ namespace Tribody
       Iterate iterate;
       iterate.pin_centre  = pin_centre;
       iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
+      evaluate_gap(iterate);
       if (warm_start != nullptr)
         iterate.active_set = warm_start->active_set;
       SolverReport report = iterate_forces(iterate);
@@ -139,7 +104,7 @@ namespace Tribody
 
 
     ContactSolver::Iterate
-    ContactSolver::first_iterate(const Eigen::Vector2d &direction,
+    ContactSolver::first_iterate(const Eigen::Vector2d &force,
                                  const ContactSolution *warm_start) const
     {
       Iterate iterate;
@@ -148,15 +113,35 @@ namespace Tribody
           iterate.pin_centre  = warm_start->pin_centre;
           iterate.nodal_force = warm_start->nodal_force;
           iterate.active_set  = warm_start->active_set;
-          return iterate;
         }
-      // From a centred pin and too wide a contact the iteration shrinks the
-      // contact monotonically in nearly all cases.
-      iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
-      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-        if (surface.normals.col(i).dot(direction) >= 0.5 * direction.norm())
-          iterate.active_set.push_back(i);
+      else
+        {
+          // From a centred pin and too wide a contact the iteration shrinks the
+          // contact monotonically in nearly all cases.
+          iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
+          for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+            if (surface.normals.col(i).dot(force) >= 0.5 * force.norm())
+              iterate.active_set.push_back(i);
+        }
+      iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
       return iterate;
+    }
+
+
+
+    void
+    ContactSolver::evaluate_gap(Iterate &iterate) const
+    {
+      iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
+      iterate.gap.setZero(surface.n_nodes());
+      for (const Eigen::Index i : iterate.active_set)
+        iterate.gap += iterate.nodal_force[i] * compliance.col(i);
+      // A distance is known to a few roundings only; under forces so small
+      // that the bore yields less than that, this is all there is.
+      iterate.gap_tolerance =
+        std::max(8. * std::numeric_limits<double>::epsilon() * pin_radius,
+                 parameters.tolerance * iterate.gap.lpNorm<Eigen::Infinity>());
+      iterate.gap += iterate.pin.gap;
     }
 
 
@@ -167,33 +152,28 @@ namespace Tribody
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
-      PinGap pin(surface.positions, iterate.pin_centre, pin_radius);
       while (report.n_iterations < parameters.max_iterations)
         {
           ++report.n_iterations;
           if (iterate.active_set.empty())
             return failure(report, "the contact was lost");
-          newton_step(force, pin, iterate);
+          newton_step(force, iterate);
           if (!iterate.nodal_force.allFinite() ||
               !(iterate.pin_centre.norm() < pin_radius))
             return failure(report, "the pin left the bore");
 
-          pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
-          const Eigen::VectorXd displacement =
-            compute_elastic_displacement(iterate);
-          const Eigen::VectorXd gap       = pin.gap + displacement;
-          const double          tolerance = gap_tolerance(displacement);
-          const double          imbalance =
-            (pin.directions * iterate.nodal_force - force).norm() /
+          evaluate_gap(iterate);
+          const double imbalance =
+            (iterate.pin.directions * iterate.nodal_force - force).norm() /
             iterate.nodal_force.lpNorm<1>();
-          report.residual = std::max(largest(gap, iterate.active_set) /
-                                       tolerance * parameters.tolerance,
-                                     imbalance);
+          report.residual = std::max(relative_gap(iterate), imbalance);
 
-          ActiveSet active = update_active_set(iterate.nodal_force,
-                                               gap,
-                                               iterate.active_set,
-                                               tolerance);
+          // Unless the force passes through it, the pin would roll off it.
+          if (iterate.active_set.size() == 1 &&
+              report.residual > parameters.tolerance)
+            return failure(report, "one node does not hold the pin");
+
+          ActiveSet active = next_active_set(iterate);
           if (active != iterate.active_set)
             {
               if (!visited.insert(iterate.active_set).second)
@@ -212,13 +192,12 @@ namespace Tribody
 
 
     void
-    ContactSolver::newton_step(const Eigen::Vector2d &force,
-                               const PinGap          &pin,
-                               Iterate               &iterate)
+    ContactSolver::newton_step(const Eigen::Vector2d &force, Iterate &iterate)
     {
       // With y = C_A^{-1} m_A and z = C_A^{-1} g^0_A:
       //   lambda_A = y d - z,   (m_A^T y + H) d = f + m_A^T z,
       // H = d(sum lambda_i m_i)/de.
+      const PinGap      &pin    = iterate.pin;
       const auto        &active = iterate.active_set;
       const Eigen::Index n      = active.size();
       Eigen::MatrixX3d   right_hand_sides(n, 3);
@@ -236,15 +215,20 @@ namespace Tribody
       const auto             m  = right_hand_sides.leftCols<2>();
       const auto             y  = yz.leftCols<2>();
       const Eigen::Matrix2d  stiffness = m.transpose() * y;
-      const Eigen::Vector2d  step =
-        (stiffness + geometric).inverse() * (force + m.transpose() * yz.col(2));
+      const Eigen::Matrix2d  balancing = invert_pin_stiffness(stiffness, n);
+      // A single node leaves the pin where it is sideways.
+      const Eigen::Matrix2d inverse =
+        (n == 1) ? balancing
+                 : Eigen::Matrix2d((stiffness + geometric).inverse());
+      const Eigen::Vector2d step =
+        inverse * (force + m.transpose() * yz.col(2));
 
       Eigen::VectorXd forces = y * step - yz.col(2);
       // The difference of two large terms balances the force to their rounding
       // only; what is missing is far less than a rounding of the pin's place.
       const Eigen::Vector2d balance =
         force - geometric * step - m.transpose() * forces;
-      forces += y * (stiffness.inverse() * balance);
+      forces += y * (balancing * balance);
       iterate.nodal_force.setZero();
       iterate.nodal_force(active) = forces;
       iterate.pin_centre += step;
@@ -257,30 +241,23 @@ namespace Tribody
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
-      const PinGap pin(surface.positions, iterate.pin_centre, pin_radius);
       if (iterate.active_set.empty())
-        iterate.active_set =
-          update_active_set(iterate.nodal_force, pin.gap, {}, 0.);
+        iterate.active_set = next_active_set(iterate);
       while (report.n_iterations < parameters.max_iterations)
         {
           ++report.n_iterations;
-          iterate.nodal_force.setZero();
           const auto &active = iterate.active_set;
+          iterate.nodal_force.setZero();
           if (!active.empty())
             {
               active_compliance.update(compliance, active);
               const Eigen::VectorXd forces =
-                -active_compliance.solve(pin.gap(active));
+                -active_compliance.solve(iterate.pin.gap(active));
               iterate.nodal_force(active) = forces;
             }
-          const Eigen::VectorXd displacement =
-            compute_elastic_displacement(iterate);
-          const Eigen::VectorXd gap       = pin.gap + displacement;
-          const double          tolerance = gap_tolerance(displacement);
-          report.residual =
-            largest(gap, active) / tolerance * parameters.tolerance;
-          ActiveSet next =
-            update_active_set(iterate.nodal_force, gap, active, tolerance);
+          evaluate_gap(iterate);
+          report.residual = relative_gap(iterate);
+          ActiveSet next  = next_active_set(iterate);
           if (next == active)
             {
               report.converged = true;
@@ -299,50 +276,58 @@ namespace Tribody
     ContactSolver::solve_programme(const Eigen::Vector2d *force,
                                    Iterate               &iterate) const
     {
-      const PinGap pin(surface.positions, iterate.pin_centre, pin_radius);
-      const ContactProgramme programme{compliance,
-                                       pin.gap,
-                                       pin.directions,
-                                       force != nullptr,
-                                       force != nullptr
-                                         ? *force
-                                         : Eigen::Vector2d(0., 0.),
-                                       gap_tolerance(Eigen::VectorXd::Zero(1)),
-                                       parameters.tolerance};
-      const auto             solution = solve_contact_programme(programme);
-      const Eigen::Vector2d  moved    = iterate.pin_centre + solution.pin_step;
-      if (!solution.report.converged || !(moved.norm() < pin_radius))
-        return false;
-      iterate.pin_centre  = moved;
-      iterate.nodal_force = solution.nodal_force;
-      iterate.active_set  = solution.active_set;
-      return true;
+      iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
+      const ContactProgramme programme{
+        compliance,
+        iterate.pin.gap,
+        iterate.pin.directions,
+        force != nullptr,
+        force != nullptr ? *force : Eigen::Vector2d(0., 0.),
+        8. * std::numeric_limits<double>::epsilon() * pin_radius,
+        parameters.tolerance};
+      const auto            solution = solve_contact_programme(programme);
+      const Eigen::Vector2d moved    = iterate.pin_centre + solution.pin_step;
+      const bool            usable =
+        solution.report.converged && moved.norm() < pin_radius;
+      if (usable)
+        {
+          iterate.pin_centre  = moved;
+          iterate.nodal_force = solution.nodal_force;
+          iterate.active_set  = solution.active_set;
+        }
+      evaluate_gap(iterate);
+      return usable;
     }
 
 
 
-    Eigen::VectorXd
-    ContactSolver::compute_elastic_displacement(const Iterate &iterate) const
+    ActiveSet
+    ContactSolver::next_active_set(const Iterate &iterate)
     {
-      Eigen::VectorXd displacement = Eigen::VectorXd::Zero(compliance.rows());
-      for (const Eigen::Index i : iterate.active_set)
-        displacement += iterate.nodal_force[i] * compliance.col(i);
-      return displacement;
+      ActiveSet active;
+      active.reserve(iterate.active_set.size() + 16);
+      auto held = iterate.active_set.begin();
+      for (Eigen::Index i = 0; i < iterate.gap.size(); ++i)
+        if (held != iterate.active_set.end() && *held == i)
+          {
+            ++held;
+            if (iterate.nodal_force[i] > 0.)
+              active.push_back(i);
+          }
+        else if (iterate.gap[i] < -iterate.gap_tolerance)
+          active.push_back(i);
+      return active;
     }
 
 
 
     double
-    ContactSolver::gap_tolerance(
-      const Eigen::VectorXd &elastic_displacement) const
+    ContactSolver::relative_gap(const Iterate &iterate) const
     {
-      // A distance is known to a few roundings only; under forces so small
-      // that the bore yields less than that, this is all there is.
-      const double rounding =
-        8. * std::numeric_limits<double>::epsilon() * pin_radius;
-      return std::max(rounding,
-                      parameters.tolerance *
-                        elastic_displacement.lpNorm<Eigen::Infinity>());
+      double largest = 0.;
+      for (const Eigen::Index i : iterate.active_set)
+        largest = std::max(largest, std::abs(iterate.gap[i]));
+      return largest / iterate.gap_tolerance * parameters.tolerance;
     }
 
 
@@ -351,13 +336,12 @@ namespace Tribody
     ContactSolver::make_solution(const Iterate      &iterate,
                                  const SolverReport &report) const
     {
-      const PinGap    pin(surface.positions, iterate.pin_centre, pin_radius);
       ContactSolution solution;
       solution.nodal_force = iterate.nodal_force;
       solution.pressure    = iterate.nodal_force.cwiseQuotient(surface.weights);
-      solution.gap         = pin.gap + compute_elastic_displacement(iterate);
+      solution.gap         = iterate.gap;
       solution.pin_centre  = iterate.pin_centre;
-      solution.force       = pin.directions * iterate.nodal_force;
+      solution.force       = iterate.pin.directions * iterate.nodal_force;
       solution.active_set  = iterate.active_set;
       solution.report      = report;
       solution.half_angle  = contact_half_angle(solution, surface);

@@ -81,10 +81,8 @@ namespace Tribody
             }
           catch (const ExcInput &exception)
             {
-              std::ostringstream problem;
-              exception.print_info(problem);
               throw ExcInput(file.location(name) + ": " + name + ": " +
-                             problem.str());
+                             message_of(exception));
             }
         };
         return {list("Bodies"),

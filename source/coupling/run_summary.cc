@@ -156,6 +156,7 @@ namespace Tribody
                                                     cycle,
                                                     state.contacts[b],
                                                     state.totals[b]);
+                  joint.bushing.max_stable_wear_step = state.max_stable_step;
                   joint.clearance += joint.bushing.max_wear_depth;
                   summary.compliance_builds += bushing.n_compliance_builds();
                   summary.max_wear_depth_relative_error =

@@ -167,8 +167,9 @@ namespace Tribody
                               const Eigen::Vector2d &force_per_length)
     {
       constexpr unsigned int max_iterations = 50;
-      constexpr double       tolerance      = 1e-12;
-      const Eigen::Index     n              = surface.n_nodes();
+      // What the condition of the whole stiffness leaves of a step.
+      constexpr double   tolerance = 1e-10;
+      const Eigen::Index n         = surface.n_nodes();
 
       BorderedSystem           system(elasticity, surface);
       Contact::ContactSolution result;

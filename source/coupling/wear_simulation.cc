@@ -81,9 +81,7 @@ namespace Tribody
         }
       catch (const ExcRun &exception)
         {
-          std::ostringstream message;
-          exception.print_info(message);
-          write_summary(directory, recorder, "failed", message.str());
+          write_summary(directory, recorder, "failed", message_of(exception));
           throw;
         }
       write_summary(directory, recorder, "completed", "");

@@ -52,6 +52,11 @@ namespace Tribody
    * answers with exit status 1.
    */
   DeclException1(ExcRun, std::string, << arg1);
+
+  /// What @p exception has to say to the user, without deal.II's frame around
+  /// it.
+  std::string
+  message_of(const dealii::ExceptionBase &exception);
 } // namespace Tribody
 
 #endif

@@ -51,8 +51,9 @@ namespace Tribody
     value(const std::string &path, const std::string &default_value) const;
 
     /**
-     * Where @p path was set last: "file.prm:12", "--set", or "default value"
-     * when it was not.
+     * Where @p path was set last: "file.prm:12" or "--set". For a subsection,
+     * where its first value is set; for what was set nowhere, the file with
+     * "(default value)" behind it.
      */
     std::string
     location(const std::string &path) const;
@@ -75,6 +76,7 @@ namespace Tribody
     const Assignment *
     find(const std::string &path) const;
 
+    std::string              file_name;
     std::vector<Assignment>  assignments;
     std::vector<std::string> open_subsections;
   };

@@ -19,16 +19,21 @@ namespace Tribody
      * @param text a number, then a unit of the same dimension as
      *   @p si_unit: "5.05e-4 mm^3/(N m)" for "Pa^-1". If @p si_unit is empty,
      *   @p text must be a bare number.
+     * @param usual_unit the one to show in messages; @p si_unit if empty.
      * @throws ExcInput for a missing unit (shows the one to write), a wrong
      *   dimension, an unknown unit or something that is not a finite number.
      *   "30 Hz" is no angular speed: radians are counted as a dimension.
      */
     double
-    from_string(const std::string &text, const std::string &si_unit);
+    from_string(const std::string &text,
+                const std::string &si_unit,
+                const std::string &usual_unit = "");
 
     /// Two or more quantities separated by commas: "0 mm, 3 mm".
     std::vector<double>
-    list_from_string(const std::string &text, const std::string &si_unit);
+    list_from_string(const std::string &text,
+                     const std::string &si_unit,
+                     const std::string &usual_unit = "");
 
     /// @p value [@p si_unit] in the unit @p shown_unit of the same dimension,
     /// as a string that from_string() reads back.

@@ -32,6 +32,15 @@ namespace Tribody
       ActiveSet                   active_set;
       Eigen::LLT<Eigen::MatrixXd> factor;
     };
+
+    /**
+     * The inverse of the stiffness @f$ m^T C_A^{-1} m @f$ [N/m^2] that the
+     * nodes in contact hold the pin with. One node alone does not hold it
+     * sideways; the pseudo-inverse then leaves it there.
+     */
+    Eigen::Matrix2d
+    invert_pin_stiffness(const Eigen::Matrix2d &stiffness,
+                         const Eigen::Index     n_active);
   } // namespace Contact
 } // namespace Tribody
 

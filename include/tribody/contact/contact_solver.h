@@ -6,14 +6,13 @@
 #include <tribody/contact/active_compliance.h>
 #include <tribody/contact/contact_solution.h>
 #include <tribody/contact/contact_solver_parameters.h>
+#include <tribody/contact/pin_gap.h>
 #include <tribody/surface/bore_surface.h>
 
 namespace Tribody
 {
   namespace Contact
   {
-    struct PinGap;
-
     /**
      * Frictionless contact of a rigid round pin with an elastic bore, reduced
      * to the bore's nodes. With nodal forces @f$\lambda_i@f$, the bore's normal
@@ -65,6 +64,12 @@ namespace Tribody
       solve_position_controlled(const Eigen::Vector2d &pin_centre,
                                 const ContactSolution *warm_start = nullptr);
 
+      const Eigen::MatrixXd &
+      normal_compliance() const
+      {
+        return compliance;
+      }
+
       const BoreSurface &
       bore_surface() const
       {
@@ -72,25 +77,32 @@ namespace Tribody
       }
 
     private:
-      /// What the iterations change.
+      /// What the iterations change, and what follows from it.
       struct Iterate
       {
         Eigen::Vector2d pin_centre = Eigen::Vector2d::Zero();
         Eigen::VectorXd nodal_force;
         ActiveSet       active_set;
+        /// Rigid gap at the pin's centre.
+        PinGap pin;
+        /// With the elastic displacement.
+        Eigen::VectorXd gap;
+        /// Gaps above minus this count as not negative [m].
+        double gap_tolerance;
       };
 
       Iterate
-      first_iterate(const Eigen::Vector2d &direction,
+      first_iterate(const Eigen::Vector2d &force,
                     const ContactSolution *warm_start) const;
+
+      void
+      evaluate_gap(Iterate &iterate) const;
 
       SolverReport
       iterate_pin_and_forces(const Eigen::Vector2d &force, Iterate &iterate);
 
       void
-      newton_step(const Eigen::Vector2d &force,
-                  const PinGap          &pin,
-                  Iterate               &iterate);
+      newton_step(const Eigen::Vector2d &force, Iterate &iterate);
 
       SolverReport
       iterate_forces(Iterate &iterate);
@@ -98,11 +110,18 @@ namespace Tribody
       bool
       solve_programme(const Eigen::Vector2d *force, Iterate &iterate) const;
 
-      Eigen::VectorXd
-      compute_elastic_displacement(const Iterate &iterate) const;
+      /**
+       * Nodes in contact stay as long as they are pressed, others enter when
+       * the pin would penetrate them. A node is released because its force
+       * has turned to tension, not because its gap has opened: as long as it
+       * is held, its gap is zero by construction.
+       */
+      static ActiveSet
+      next_active_set(const Iterate &iterate);
 
+      /// Largest gap left in contact in units of what the tolerance refers to.
       double
-      gap_tolerance(const Eigen::VectorXd &elastic_displacement) const;
+      relative_gap(const Iterate &iterate) const;
 
       ContactSolution
       make_solution(const Iterate &iterate, const SolverReport &report) const;

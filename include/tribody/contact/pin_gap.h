@@ -20,6 +20,8 @@ namespace Tribody
      */
     struct PinGap
     {
+      PinGap() = default;
+
       PinGap(const Eigen::Matrix2Xd &positions,
              const Eigen::Vector2d  &pin_centre,
              const double            pin_radius)
