@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace Tribody
 {
@@ -105,6 +106,19 @@ namespace Tribody
                                            result.multipliers.segment<2>(row));
             }
         }
+    }
+
+
+
+    void
+    CycleRecorder::swap_records(CycleRecorder &other)
+    {
+      times.swap(other.times);
+      q.swap(other.q);
+      v.swap(other.v);
+      forces.swap(other.forces);
+      contacts.swap(other.contacts);
+      std::swap(drift, other.drift);
     }
 
 

@@ -6,7 +6,7 @@
 #include <tribody/multibody/motion_integrator.h>
 #include <tribody/multibody/slow_motion_start.h>
 
-#include <utility>
+#include <algorithm>
 
 namespace Tribody
 {
@@ -118,49 +118,73 @@ namespace Tribody
 
 
 
-    DutyCycle
-    CycleSimulation::run_dynamics(const EquationsOfMotion &equations) const
+    unsigned long
+    CycleSimulation::record_cycle(const double      begins,
+                                  MotionIntegrator &integrator,
+                                  CycleRecorder    &recorder) const
     {
-      const unsigned int n    = parameters.samples_per_cycle;
-      const double       half = period / (2 * n);
-      MotionTolerances   tolerances =
-        make_tolerances(mechanism, scales, parameters);
-      tolerances.maximum_step = 2 * half;
-      MotionIntegrator integrator(equations, tolerances);
+      const unsigned int  n       = parameters.samples_per_cycle;
+      const unsigned long n_steps = integrator.statistics().n_steps;
+      unsigned long       n_taken = 0;
+      for (unsigned int k = 0; k <= 2 * n; ++k)
+        {
+          // The first cycle lacks the half interval before time 0.
+          const double t = std::max(0., begins + k * period / (2 * n));
+          recorder.record(k,
+                          integrator.advance_to(
+                            t, parameters.maximum_steps_per_cycle - n_taken));
+          n_taken = integrator.statistics().n_steps - n_steps;
+        }
+      return n_taken;
+    }
 
-      const StartingState start = compute_start(equations);
-      integrator.start(start.state);
 
-      // The first cycle lacks the half interval before time 0. It is not
-      // recorded but compared with.
-      CycleRecorder  recorder_1(equations, n, period), recorder_2(recorder_1);
-      CycleRecorder *before = &recorder_1, *now = &recorder_2;
-      before->record(0, integrator.advance_to(0., 0));
-      for (unsigned int k = 1; k <= 2 * n; ++k)
-        before->record(k,
-                       integrator.advance_to(
-                         (k - 1) * half, parameters.maximum_steps_per_cycle));
+
+    SettlingReport
+    CycleSimulation::settle(MotionIntegrator &integrator,
+                            CycleRecorder    &recorder,
+                            unsigned long    &n_steps_in_cycle) const
+    {
+      const double  half_interval = period / (2 * parameters.samples_per_cycle);
+      CycleRecorder before(recorder);
+      record_cycle(-half_interval, integrator, before);
 
       SettlingReport settling;
-      settling.message           = start.report.message;
-      unsigned long n_steps_then = 0;
-      for (settling.n_cycles = 2; true; ++settling.n_cycles)
+      settling.n_cycles = 1;
+      while (true)
         {
-          n_steps_then        = integrator.statistics().n_steps;
-          const double begins = (settling.n_cycles - 1) * period - half;
-          for (unsigned int k = 0; k <= 2 * n; ++k)
-            now->record(
-              k,
-              integrator.advance_to(begins + k * half,
-                                    parameters.maximum_steps_per_cycle));
-          settling.repeat_difference = now->difference(*before);
+          n_steps_in_cycle =
+            record_cycle(settling.n_cycles * period - half_interval,
+                         integrator,
+                         recorder);
+          ++settling.n_cycles;
+          settling.repeat_difference = recorder.difference(before);
           settling.converged =
             settling.repeat_difference < parameters.settling_tolerance;
           if (settling.converged ||
               settling.n_cycles > parameters.maximum_settling_cycles)
             break;
-          std::swap(before, now);
+          before.swap_records(recorder);
         }
+      return settling;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::run_dynamics(const EquationsOfMotion &equations) const
+    {
+      MotionTolerances tolerances =
+        make_tolerances(mechanism, scales, parameters);
+      tolerances.maximum_step = period / parameters.samples_per_cycle;
+      MotionIntegrator    integrator(equations, tolerances);
+      const StartingState start = compute_start(equations);
+      integrator.start(start.state);
+
+      CycleRecorder  recorder(equations, parameters.samples_per_cycle, period);
+      unsigned long  n_steps_in_cycle = 0;
+      SettlingReport settling = settle(integrator, recorder, n_steps_in_cycle);
+      settling.message        = start.report.message;
       if (!settling.converged)
         settling.message += std::string(settling.message.empty() ? "" : "; ") +
                             "the joint forces still changed by " +
@@ -168,10 +192,10 @@ namespace Tribody
                             " % of the largest one from cycle to cycle after " +
                             std::to_string(settling.n_cycles) + " cycles";
 
-      DutyCycle cycle        = now->make_duty_cycle(integrator.events());
+      DutyCycle cycle        = recorder.make_duty_cycle(integrator.events());
       cycle.settling         = settling;
       cycle.statistics       = integrator.statistics();
-      cycle.n_steps_in_cycle = cycle.statistics.n_steps - n_steps_then;
+      cycle.n_steps_in_cycle = n_steps_in_cycle;
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)
         if (cycle.joints[j].has_clearance)
           cycle.joints[j].peak_force_since_start =

@@ -30,6 +30,11 @@ namespace Tribody
       void
       record(const unsigned int k, const MechanismState &state);
 
+      /// Exchange what has been recorded with @p other, of the same mechanism
+      /// and the same times.
+      void
+      swap_records(CycleRecorder &other);
+
       /// Largest difference of a joint force to the one that @p other has
       /// recorded, relative to the joint's largest force.
       double

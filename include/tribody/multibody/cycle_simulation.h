@@ -14,7 +14,10 @@ namespace Tribody
 {
   namespace Multibody
   {
+    class CycleRecorder;
+    class MotionIntegrator;
     struct DutyCycle;
+    struct SettlingReport;
     struct StartingState;
 
     /**
@@ -42,6 +45,11 @@ namespace Tribody
       CycleSimulation(const Mechanism          &mechanism,
                       const DynamicsParameters &parameters);
 
+      // The equations of the closed mechanism refer to a member.
+      CycleSimulation(const CycleSimulation &) = delete;
+      CycleSimulation &
+      operator=(const CycleSimulation &) = delete;
+
       /**
        * A settled cycle with the given clearances, by name of the joint; those
        * not given are as manufactured. Whether it has really settled is in the
@@ -66,6 +74,19 @@ namespace Tribody
 
       DutyCycle
       run_dynamics(const EquationsOfMotion &equations) const;
+
+      // Go through one cycle; returns the integration steps taken.
+      unsigned long
+      record_cycle(const double      begins,
+                   MotionIntegrator &integrator,
+                   CycleRecorder    &recorder) const;
+
+      // Go through cycles until one repeats the one before; the last is left
+      // in recorder.
+      SettlingReport
+      settle(MotionIntegrator &integrator,
+             CycleRecorder    &recorder,
+             unsigned long    &n_steps_in_cycle) const;
 
       StartingState
       compute_start(const EquationsOfMotion &equations) const;
