@@ -53,8 +53,6 @@ namespace Tribody
     void
     CycleRecorder::record(const unsigned int k, const MechanismState &state)
     {
-      if (k == 0)
-        drift = 0.;
       times(k) = state.time;
       q.col(k) = state.q;
       v.col(k) = state.v;
@@ -64,11 +62,6 @@ namespace Tribody
                                                    state.v,
                                                    state.approach_speeds[j]);
       record_forces(k, state);
-
-      Eigen::VectorXd phi(equations.mechanism().n_constraints());
-      equations.assemble_constraints(state.time, state.q, phi);
-      if (phi.size() > 0)
-        drift = std::max(drift, phi.lpNorm<Eigen::Infinity>());
     }
 
 
@@ -118,7 +111,6 @@ namespace Tribody
       v.swap(other.v);
       forces.swap(other.forces);
       contacts.swap(other.contacts);
-      std::swap(drift, other.drift);
     }
 
 
@@ -271,9 +263,8 @@ namespace Tribody
       cycle.time   = at_samples(times.transpose()).transpose();
       cycle.phase =
         Eigen::VectorXd::LinSpaced(n_samples, 0., 360. - 360. / n_samples);
-      cycle.coordinates      = at_samples(q);
-      cycle.velocities       = at_samples(v);
-      cycle.constraint_drift = drift;
+      cycle.coordinates = at_samples(q);
+      cycle.velocities  = at_samples(v);
 
       const Eigen::MatrixXd force_samples = at_samples(forces);
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)

@@ -194,6 +194,7 @@ namespace Tribody
 
       DutyCycle cycle        = recorder.make_duty_cycle(integrator.events());
       cycle.settling         = settling;
+      cycle.constraint_drift = integrator.constraint_drift();
       cycle.statistics       = integrator.statistics();
       cycle.n_steps_in_cycle = n_steps_in_cycle;
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)

@@ -3,10 +3,12 @@
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
+#include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/multibody/ida_integrator.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <utility>
@@ -39,18 +41,59 @@ namespace Tribody
       Eigen::VectorXd y;
       Eigen::VectorXd y_t;
 
-      SUNContext      context       = nullptr;
-      void           *ida           = nullptr;
-      N_Vector        nv_y          = nullptr;
-      N_Vector        nv_y_t        = nullptr;
-      SUNMatrix       matrix        = nullptr;
-      SUNLinearSolver linear_solver = nullptr;
+      SUNContext         context       = nullptr;
+      void              *ida           = nullptr;
+      N_Vector           nv_y          = nullptr;
+      N_Vector           nv_y_t        = nullptr;
+      SUNMatrix          matrix        = nullptr;
+      SUNLinearSolver    linear_solver = nullptr;
+      SUNNonlinearSolver newton        = nullptr;
+      // Norm of Newton's first correction in the current step.
+      double first_correction = 0.;
     };
 
 
 
     namespace
     {
+      // Newton's method has converged when what is left, estimated from the
+      // rate seen in this step, is small. IDA's own test uses the rate of an
+      // earlier step for the first iteration: with a Jacobian that has grown
+      // old since, one iteration then passes that leaves the constraints open
+      // by 1e-7 m.
+      template <typename Memory>
+      int
+      convergence_test(SUNNonlinearSolver newton,
+                       N_Vector,
+                       N_Vector       correction,
+                       const realtype tolerance,
+                       N_Vector       weights,
+                       void          *data)
+      {
+        // As IDA's: faster than this is convergence, slower calls for a new
+        // Jacobian.
+        constexpr double slowest_rate = 0.9;
+
+        Memory      &memory    = *static_cast<Memory *>(data);
+        const double norm      = N_VWrmsNorm(correction, weights);
+        int          iteration = 0;
+        SUNNonlinSolGetCurIter(newton, &iteration);
+        if (iteration == 0)
+          {
+            // Nothing is known of the rate yet.
+            memory.first_correction = norm;
+            return norm <= tolerance ? SUN_NLS_SUCCESS : SUN_NLS_CONTINUE;
+          }
+        const double rate =
+          std::pow(norm / memory.first_correction, 1. / iteration);
+        if (rate > slowest_rate)
+          return SUN_NLS_CONV_RECVR;
+        return rate / (1. - rate) * norm <= tolerance ? SUN_NLS_SUCCESS
+                                                      : SUN_NLS_CONTINUE;
+      }
+
+
+
       // Exceptions must not pass through C. Anything that is caught here is
       // kept, and IDA told to give up.
       template <typename Function>
@@ -185,8 +228,10 @@ namespace Tribody
       nv_y_t        = N_VMake_Serial(y.size(), y_t.data(), context);
       matrix        = SUNDenseMatrix(y.size(), y.size(), context);
       linear_solver = SUNLinSol_Dense(nv_y, matrix, context);
+      newton        = SUNNonlinSol_Newton(nv_y, context);
       ida           = IDACreate(context);
-      AssertThrow(ida != nullptr && linear_solver != nullptr,
+      AssertThrow(ida != nullptr && linear_solver != nullptr &&
+                    newton != nullptr,
                   ExcRun("SUNDIALS could not allocate its memory."));
     }
 
@@ -195,6 +240,7 @@ namespace Tribody
     IdaIntegrator::Memory::~Memory()
     {
       IDAFree(&ida);
+      SUNNonlinSolFree(newton);
       SUNLinSolFree(linear_solver);
       SUNMatDestroy(matrix);
       N_VDestroy(nv_y);
@@ -291,6 +337,10 @@ namespace Tribody
       run(IDASetLinearSolver(ida, m.linear_solver, m.matrix),
           "IDASetLinearSolver");
       run(IDASetJacFn(ida, jacobian_callback<Memory>), "IDASetJacFn");
+      run(IDASetNonlinearSolver(ida, m.newton), "IDASetNonlinearSolver");
+      // After IDA, which sets its own.
+      run(SUNNonlinSolSetConvTestFn(m.newton, convergence_test<Memory>, &m),
+          "SUNNonlinSolSetConvTestFn");
       if (system.n_roots > 0)
         {
           run(IDARootInit(ida, system.n_roots, root_callback<Memory>),

@@ -15,6 +15,7 @@ namespace Tribody
       : equations(equations)
       , n(equations.mechanism().n_coordinates())
       , m(equations.mechanism().n_constraints())
+      , phi(m)
       , phi_q(m, n)
       , phi_t(m)
       , phi_tt(m)
@@ -163,6 +164,7 @@ namespace Tribody
         current.approach_speeds[j] = joints[j].minimum_approach_speed;
       the_events.clear();
       the_peak_forces.assign(joints.size(), 0.);
+      the_drift = 0.;
       restart();
     }
 
@@ -196,6 +198,9 @@ namespace Tribody
     MotionIntegrator::record_step(const std::vector<int> &roots)
     {
       const Eigen::VectorXd &y = ida->solution();
+      equations.assemble_constraints(ida->time(), y.head(n), phi);
+      if (m > 0)
+        the_drift = std::max(the_drift, phi.lpNorm<Eigen::Infinity>());
       for (unsigned int j = 0; j < roots.size(); ++j)
         {
           const JointContact contact = equations.compute_contact(

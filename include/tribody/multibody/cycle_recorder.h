@@ -77,7 +77,6 @@ namespace Tribody
       Eigen::MatrixXd forces;
       // [clearance joint][record]
       std::vector<std::vector<JointContact>> contacts;
-      double                                 drift = 0.;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -125,7 +125,8 @@ namespace Tribody
       Eigen::MatrixXd velocities;
 
       SettlingReport settling;
-      /// Largest entry of Phi in the recorded cycle [m, rad].
+      /// Largest entry of Phi at any integration step since the start of the
+      /// motion [m, rad].
       double constraint_drift = 0.;
       /// The whole run, and the recorded cycle alone.
       IntegratorStatistics statistics;

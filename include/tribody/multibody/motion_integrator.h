@@ -82,6 +82,13 @@ namespace Tribody
         return the_peak_forces;
       }
 
+      /// Largest entry of Phi at any internal step since start() [m, rad].
+      double
+      constraint_drift() const
+      {
+        return the_drift;
+      }
+
       IntegratorStatistics
       statistics() const;
 
@@ -107,7 +114,7 @@ namespace Tribody
       void
       restart();
 
-      // After a step: note events; make a contact onset pending.
+      // After a step: note drift and events; make a contact onset pending.
       void
       record_step(const std::vector<int> &roots);
 
@@ -121,8 +128,10 @@ namespace Tribody
 
       std::vector<ContactEvent> the_events;
       std::vector<double>       the_peak_forces;
+      double                    the_drift = 0.;
 
       // Work space.
+      Eigen::VectorXd phi;
       Eigen::MatrixXd phi_q;
       Eigen::VectorXd phi_t;
       Eigen::VectorXd phi_tt;
