@@ -13,6 +13,7 @@
 #include <tribody/coupling/wear_simulation.h>
 #include <tribody/output/output_directory.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -80,7 +81,7 @@ print_bushing(const json &joint)
   const json  &crescent = bushing["crescent_closed_form"];
   const double depth    = bushing["max_wear_depth_m"];
   const double volume   = bushing["worn_volume_m3"];
-  std::cout << std::setprecision(4) << "  depth " << depth * 1e6
+  std::cout << std::setprecision(1) << "  depth " << depth * 1e6
             << " um, volume " << volume * 1e9 << " mm^3, at "
             << std::setprecision(1) << bushing["max_wear_angle_deg"]
             << " deg, half-angle " << std::setprecision(0)
@@ -134,9 +135,11 @@ main(int argc, char **argv)
             << ", settled: " << summary["dynamics"]["settled"] << std::endl;
   for (const auto &[joint_name, joint] : summary["joints"].items())
     {
-      std::cout << std::setprecision(2) << joint_name << ": largest force "
-                << joint["peak_force_N"].get<double>() << " N, mean "
-                << joint["mean_force_N"].get<double>() << " N" << std::endl;
+      // Three digits: the last of more would be the integrator's.
+      std::cout << std::defaultfloat << std::setprecision(3) << joint_name
+                << ": largest force " << joint["peak_force_N"].get<double>()
+                << " N, mean " << joint["mean_force_N"].get<double>() << " N"
+                << std::fixed << std::endl;
       const std::string reference =
         std::string(SOURCE_DIR) + "/reference/" + name + ".csv";
       if (joint_name == "crank_pin" && std::filesystem::exists(reference))
