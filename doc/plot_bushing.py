@@ -11,13 +11,15 @@ bore as manufactured dashed. --scale exaggerates the wear, --zoom enlarges the
 deepest place.
 
 ParaView draws the rings, Matplotlib puts the picture together:
-    apt-get install paraview python3-paraview python3-matplotlib xvfb xauth
+    apt-get install paraview python3-paraview python3-matplotlib xvfb
 The script starts itself again in pvpython, off-screen, so it runs anywhere.
 """
 
 import argparse
+import contextlib
 import os
 import shutil
+import subprocess
 import sys
 import tempfile
 
@@ -73,22 +75,46 @@ def restart_in_pvpython():
             "plot_bushing: ParaView is missing: "
             "apt-get install paraview python3-paraview"
         )
-    command = [pvpython, "--force-offscreen-rendering"]
-    if shutil.which("xvfb-run") and shutil.which("xauth"):
-        # A number of its own: the screen of a run before may still be closing.
-        number = str(100 + os.getpid() % 30000)
-        screen = ["-a", "-n", number, "-s", "-screen 0 1280x1024x24"]
-        command = ["xvfb-run"] + screen + command
-    elif not os.environ.get("DISPLAY"):
-        sys.exit(
-            "plot_bushing: there is no display, and no virtual one either: "
-            "apt-get install xvfb xauth"
-        )
-    os.environ[INSIDE_PVPYTHON] = "yes"
-    os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
-    os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
+    command = [pvpython, "--force-offscreen-rendering", os.path.abspath(__file__)]
+    environment = dict(os.environ)
+    environment[INSIDE_PVPYTHON] = "yes"
+    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
+    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
     sys.stdout.flush()
-    os.execvp(command[0], command + [os.path.abspath(__file__)] + sys.argv[1:])
+    with virtual_screen(environment):
+        sys.exit(subprocess.call(command + sys.argv[1:], env=environment))
+
+
+@contextlib.contextmanager
+def virtual_screen(environment):
+    """A screen of our own, ready when this has begun. xvfb-run only waits for
+    some seconds, which is not enough on a busy machine."""
+    if not shutil.which("Xvfb"):
+        if not environment.get("DISPLAY"):
+            sys.exit(
+                "plot_bushing: there is no display, and no virtual one either: "
+                "apt-get install xvfb"
+            )
+        yield
+        return
+    reader, writer = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x1024x24"],
+        pass_fds=[writer],
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(writer)
+    try:
+        # The server writes its number once it answers.
+        with os.fdopen(reader) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            sys.exit("plot_bushing: Xvfb does not start")
+        environment["DISPLAY"] = ":" + number
+        yield
+    finally:
+        server.terminate()
+        server.wait()
 
 
 def choose_stages(times, wanted):
