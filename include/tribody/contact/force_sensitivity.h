@@ -1,0 +1,37 @@
+#ifndef tribody_contact_force_sensitivity_h
+#define tribody_contact_force_sensitivity_h
+
+#include <tribody/contact/contact_solution.h>
+
+#include <Eigen/Core>
+
+namespace Tribody
+{
+  namespace Contact
+  {
+    /**
+     * Add to @p sum @p factor times the derivative of the nodal forces with
+     * respect to the gaps @f$g^0@f$ of the undeformed bore, under a constant
+     * force on the pin. On the nodes in contact it is @f$ -S @f$,
+     * @f[ S = C_A^{-1} - y\,(m_A^T y + H)^{-1} y^T, \qquad
+     *     y = C_A^{-1} m_A, \qquad
+     *     H = -\sum_i \lambda_i \frac{I - m_i m_i^T}{|x_i - e|}, @f]
+     * and zero elsewhere: the active set does not change under a small change
+     * of the gaps. S is symmetric and, with the pin held by the force alone,
+     * positive semi-definite.
+     *
+     * @param positions of the undeformed bore nodes [m].
+     * @param compliance C [m per N/m].
+     * @param sum square, one row per bore node.
+     */
+    void
+    add_force_sensitivity(const ContactSolution  &solution,
+                          const Eigen::Matrix2Xd &positions,
+                          const Eigen::MatrixXd  &compliance,
+                          const double            pin_radius,
+                          const double            factor,
+                          Eigen::MatrixXd        &sum);
+  } // namespace Contact
+} // namespace Tribody
+
+#endif
