@@ -22,7 +22,7 @@ namespace Tribody
       if (n == 0)
         return;
 
-      const PinGap    pin(positions, solution.pin_centre, pin_radius);
+      const PinGap     pin(positions, solution.pin_centre, pin_radius);
       Eigen::MatrixX2d directions(n, 2);
       Eigen::Matrix2d  geometric = Eigen::Matrix2d::Zero();
       for (Eigen::Index k = 0; k < n; ++k)
@@ -35,11 +35,11 @@ namespace Tribody
         }
 
       const Eigen::LLT<Eigen::MatrixXd> factored(compliance(active, active));
-      const Eigen::MatrixX2d            y = factored.solve(directions);
+      const Eigen::MatrixX2d            y         = factored.solve(directions);
       const Eigen::Matrix2d             stiffness = directions.transpose() * y;
       const Eigen::Matrix2d             inverse =
-        n == 1 ? invert_pin_stiffness(stiffness, n) :
-                 Eigen::Matrix2d((stiffness + geometric).inverse());
+        n == 1 ? invert_pin_stiffness(stiffness, n)
+                           : Eigen::Matrix2d((stiffness + geometric).inverse());
       const Eigen::MatrixXd sensitivity =
         y * inverse * y.transpose() -
         factored.solve(Eigen::MatrixXd::Identity(n, n));

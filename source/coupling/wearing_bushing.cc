@@ -3,6 +3,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/contact/contact_solver.h>
+#include <tribody/contact/force_sensitivity.h>
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/elasticity/stress_postprocessor.h>
 #include <tribody/multibody/duty_cycle.h>
@@ -76,40 +77,41 @@ namespace Tribody
 
     CycleContact
     WearingBushing::compute_cycle_contact(
-      const Multibody::JointDutyCycle &cycle) const
+      const Eigen::VectorXd           &depth,
+      const Multibody::JointDutyCycle &cycle,
+      const CycleContact              *similar) const
     {
+      Wear::WearProfile worn = wear_profile;
+      worn.depth             = depth;
+
+      CycleContact contact;
+      contact.surface            = worn.surface();
+      contact.sliding_increments = cycle.sliding_increment;
+      contact.removed_area       = Eigen::VectorXd::Zero(depth.size());
+      contact.peak_pressure      = Eigen::VectorXd::Zero(depth.size());
+
       const Wear::ArchardLaw archard{parameters.wear_coefficient};
-      Contact::ContactSolver solver(surface, compliance, joint.pin_radius);
+      Contact::ContactSolver solver(contact.surface,
+                                    compliance,
+                                    joint.pin_radius);
 
-      const Eigen::Index n = surface.n_nodes();
-      CycleContact       contact;
-      contact.removed_area  = Eigen::VectorXd::Zero(n);
-      contact.peak_pressure = Eigen::VectorXd::Zero(n);
-
-      Eigen::Index peak_sample = 0;
-      cycle.normal_force.maxCoeff(&peak_sample);
-
-      // Neighbouring samples differ little: each starts from the one before.
-      Contact::ContactSolution solution;
+      // Neighbouring samples differ little, and the same sample on a similar
+      // bore differs less.
       for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
         {
-          const double          angle = cycle.contact_angle_bushing[j];
-          const Eigen::Vector2d force_per_length =
-            cycle.normal_force[j] / parameters.axial_length *
-            Eigen::Vector2d(std::cos(angle), std::sin(angle));
-          solution = solver.solve_force_controlled(force_per_length,
-                                                   j > 0 ? &solution : nullptr);
-          ++contact.n_solves;
-          AssertThrow(
-            solution.report.converged,
-            ExcRun("Bushing " + name() + ": the contact problem of sample " +
-                   std::to_string(j) + " of the cycle (normal force " +
-                   std::to_string(cycle.normal_force[j]) +
-                   " N) has no solution: " + solution.report.message +
-                   ". A finer mesh (Bore cells) or shorter wear steps (Cycles "
-                   "per step) may help."));
+          const Contact::ContactSolution *start = nullptr;
+          if (similar != nullptr)
+            start = &similar->samples[j];
+          else if (j > 0)
+            start = &contact.samples.back();
+          contact.samples.push_back(
+            solver.solve_force_controlled(force_per_length(cycle, j), start));
 
-          for (Eigen::Index i = 0; i < n; ++i)
+          const Contact::ContactSolution &solution = contact.samples.back();
+          AssertThrow(solution.report.converged,
+                      ExcRun(unsolved_contact(cycle, j, solution.report)));
+
+          for (Eigen::Index i = 0; i < depth.size(); ++i)
             contact.removed_area[i] +=
               archard.area_increment(solution.nodal_force[i],
                                      cycle.sliding_increment[j]);
@@ -117,29 +119,74 @@ namespace Tribody
             contact.peak_pressure.cwiseMax(solution.pressure);
           contact.max_pressure =
             std::max(contact.max_pressure,
-                     Contact::peak_pressure(solution, surface));
-          if (j == peak_sample)
-            contact.at_peak_force = solution;
+                     Contact::peak_pressure(solution, contact.surface));
+          if (cycle.normal_force[j] > cycle.normal_force[contact.peak_sample])
+            contact.peak_sample = j;
         }
 
       contact.wear_rate =
-        wear_profile.depth_for_removed_area(surface, contact.removed_area);
+        worn.depth_for_removed_area(contact.surface, contact.removed_area);
       return contact;
     }
 
 
 
-    void
-    WearingBushing::wear_by(const Eigen::VectorXd &depth_increment)
+    Eigen::Vector2d
+    WearingBushing::force_per_length(const Multibody::JointDutyCycle &cycle,
+                                     const Eigen::Index               j) const
     {
-      Wear::WearProfile worn = wear_profile;
-      worn.depth += depth_increment;
-      geometry.update(worn.depth);
-      wear_profile = worn;
-      surface      = wear_profile.surface();
+      const double angle = cycle.contact_angle_bushing[j];
+      return cycle.normal_force[j] / parameters.axial_length *
+             Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    }
+
+
+
+    std::string
+    WearingBushing::unsolved_contact(const Multibody::JointDutyCycle &cycle,
+                                     const Eigen::Index               j,
+                                     const SolverReport &report) const
+    {
+      return "Bushing " + name() + ": the contact problem of sample " +
+             std::to_string(j) + " of the cycle (normal force " +
+             std::to_string(cycle.normal_force[j]) +
+             " N) has no solution: " + report.message +
+             ". A finer mesh (Bore cells) or shorter wear steps (Cycles per "
+             "step) may help.";
+    }
+
+
+
+    Eigen::MatrixXd
+    WearingBushing::compute_wear_rate_jacobian(
+      const CycleContact &contact) const
+    {
+      const Eigen::Index n        = contact.surface.n_nodes();
+      Eigen::MatrixXd    jacobian = Eigen::MatrixXd::Zero(n, n);
+      for (std::size_t j = 0; j < contact.samples.size(); ++j)
+        Contact::add_force_sensitivity(contact.samples[j],
+                                       contact.surface.positions,
+                                       compliance,
+                                       joint.pin_radius,
+                                       parameters.wear_coefficient *
+                                         contact.sliding_increments[j],
+                                       jacobian);
+      const Eigen::VectorXd area_derivative =
+        wear_profile.area_derivative(contact.surface);
+      return area_derivative.cwiseInverse().asDiagonal() * jacobian;
+    }
+
+
+
+    void
+    WearingBushing::set_depth(const Eigen::VectorXd &depth)
+    {
+      geometry.update(depth);
+      wear_profile.depth = depth;
+      surface            = wear_profile.surface();
 
       const double wall = parameters.outer_radius - joint.bushing_radius;
-      if ((wear_profile.depth - depth_at_compliance).lpNorm<Eigen::Infinity>() >
+      if ((depth - depth_at_compliance).lpNorm<Eigen::Infinity>() >
           compliance_update * wall)
         update_compliance();
     }
@@ -178,12 +225,8 @@ namespace Tribody
     double
     WearingBushing::max_stable_step(const double sliding_per_cycle) const
     {
-      const Eigen::VectorXd area_derivative =
-        wear_profile.normals.cwiseProduct(surface.vector_weights)
-          .colwise()
-          .sum();
       return Wear::max_stable_step(compliance,
-                                   area_derivative,
+                                   wear_profile.area_derivative(surface),
                                    parameters.wear_coefficient *
                                      sliding_per_cycle);
     }
@@ -194,7 +237,7 @@ namespace Tribody
     WearingBushing::write_vtu(const std::string  &file_name,
                               const CycleContact &contact) const
     {
-      const Contact::ContactSolution &solution = contact.at_peak_force;
+      const Contact::ContactSolution &solution = contact.at_peak_force();
       const Eigen::Matrix2Xd          nodal_forces =
         surface.normals * solution.nodal_force.asDiagonal();
       const dealii::Vector<double> displacement =

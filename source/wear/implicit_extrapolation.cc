@@ -1,5 +1,4 @@
 #include <Eigen/LU>
-
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
@@ -49,7 +48,7 @@ namespace Tribody
       unsigned long   failed_steps = 0;
 
       SUNContext      context       = nullptr;
-      void *          arkode        = nullptr;
+      void           *arkode        = nullptr;
       N_Vector        view          = nullptr; ///< of y
       SUNLinearSolver linear_solver = nullptr;
     };
@@ -127,8 +126,9 @@ namespace Tribody
         // included, while the depth asks for the worst one.
         View w    = view_of(weights);
         w         = Eigen::VectorXd::Constant(w.size(), 1e-30);
-        w.head(n) = Eigen::VectorXd::Constant(
-          n, std::sqrt(double(w.size())) / (settings.tolerance * depth));
+        w.head(n) = Eigen::VectorXd::Constant(n,
+                                              std::sqrt(double(w.size())) /
+                                                (settings.tolerance * depth));
         return 0;
       }
 
@@ -180,7 +180,7 @@ namespace Tribody
         std::rethrow_exception(std::exchange(exception, nullptr));
       if (flag >= 0)
         return;
-      char *            name = ARKStepGetReturnFlagName(flag);
+      char             *name = ARKStepGetReturnFlagName(flag);
       const std::string code = name;
       std::free(name);
       throw ExcRun("The integration of wear stopped after " +
@@ -231,7 +231,7 @@ namespace Tribody
 
 
     ImplicitExtrapolation::ImplicitExtrapolation(
-      const WearEquation &    equation,
+      const WearEquation     &equation,
       const ImplicitSettings &settings)
       : memory(std::make_unique<Memory>(equation, settings))
     {}
@@ -296,8 +296,7 @@ namespace Tribody
     ImplicitExtrapolation::local_error() const
     {
       Eigen::VectorXd error(memory->y.size());
-      N_Vector        nv =
-        N_VMake_Serial(error.size(), error.data(), memory->context);
+      N_Vector nv = N_VMake_Serial(error.size(), error.data(), memory->context);
       const int flag = ARKStepGetEstLocalErrors(memory->arkode, nv);
       N_VDestroy(nv);
       memory->check(flag, "ARKStepGetEstLocalErrors");

@@ -16,13 +16,19 @@ namespace Tribody
 
 
     Eigen::VectorXd
+    WearProfile::area_derivative(const BoreSurface &surface) const
+    {
+      return normals.cwiseProduct(surface.vector_weights).colwise().sum();
+    }
+
+
+
+    Eigen::VectorXd
     WearProfile::depth_for_removed_area(
       const BoreSurface     &surface,
       const Eigen::VectorXd &removed_area) const
     {
-      const Eigen::VectorXd area_derivative =
-        normals.cwiseProduct(surface.vector_weights).colwise().sum();
-      return removed_area.cwiseQuotient(area_derivative);
+      return removed_area.cwiseQuotient(area_derivative(surface));
     }
 
 

@@ -1,9 +1,9 @@
 #ifndef tribody_contact_force_sensitivity_h
 #define tribody_contact_force_sensitivity_h
 
-#include <tribody/contact/contact_solution.h>
-
 #include <Eigen/Core>
+
+#include <tribody/contact/contact_solution.h>
 
 namespace Tribody
 {

@@ -29,17 +29,27 @@ namespace Tribody
     /// entry per bore node.
     struct CycleContact
     {
+      /// The contact in every sample, and how far the pin slides in it [m].
+      std::vector<Contact::ContactSolution> samples;
+      Eigen::VectorXd                       sliding_increments;
+      /// The worn bore that they belong to.
+      BoreSurface surface;
       /// Cross-section area that the cycle removes at each node [m^2].
       Eigen::VectorXd removed_area;
       /// Wear depth per cycle [m].
       Eigen::VectorXd wear_rate;
       /// Largest pressure of the cycle at each node [Pa].
       Eigen::VectorXd peak_pressure;
-      /// The contact in the sample with the largest normal force.
-      Contact::ContactSolution at_peak_force;
+      /// Index of the sample with the largest normal force.
+      std::size_t peak_sample = 0;
       /// Largest pressure of the cycle [Pa], read as Contact::peak_pressure().
-      double       max_pressure = 0.;
-      unsigned int n_solves     = 0;
+      double max_pressure = 0.;
+
+      const Contact::ContactSolution &
+      at_peak_force() const
+      {
+        return samples[peak_sample];
+      }
     };
 
     /**
@@ -68,20 +78,33 @@ namespace Tribody
       }
 
       /**
-       * Solve the contact in every sample of @p cycle and add up Archard's law
-       * over it.
+       * Solve the contact in every sample of @p cycle for a bore that is worn
+       * by @p depth [m], and add up Archard's law over the cycle.
+       * @param similar the result for a similar bore, to start from, or
+       * nullptr.
        * @throws ExcRun if a contact problem does not converge; names joint,
-       *   phase and force.
+       *   sample and force.
        */
       CycleContact
-      compute_cycle_contact(const Multibody::JointDutyCycle &cycle) const;
+      compute_cycle_contact(const Eigen::VectorXd           &depth,
+                            const Multibody::JointDutyCycle &cycle,
+                            const CycleContact              *similar) const;
 
       /**
-       * Let the bore wear by @p depth_increment [m], one value per bore node.
+       * How the wear rate changes with the depth, dW/dh [per cycle]: minus the
+       * sum over the samples of @f$ k\,\Delta s\,D^{-1} S @f$, with D the
+       * derivative of the bore's area and S of add_force_sensitivity(). What
+       * the wear does to D, and what it does to the dynamics, is left out.
+       */
+      Eigen::MatrixXd
+      compute_wear_rate_jacobian(const CycleContact &contact) const;
+
+      /**
+       * Let the bore be worn by @p depth [m] in all, one value per bore node.
        * @throws ExcRun if the worn geometry cannot be meshed.
        */
       void
-      wear_by(const Eigen::VectorXd &depth_increment);
+      set_depth(const Eigen::VectorXd &depth);
 
       const Wear::WearProfile &
       profile() const
@@ -135,6 +158,15 @@ namespace Tribody
     private:
       void
       update_compliance();
+
+      Eigen::Vector2d
+      force_per_length(const Multibody::JointDutyCycle &cycle,
+                       const Eigen::Index               j) const;
+
+      std::string
+      unsolved_contact(const Multibody::JointDutyCycle &cycle,
+                       const Eigen::Index               j,
+                       const SolverReport              &report) const;
 
       BushingParameters             parameters;
       Multibody::JointParameters    joint;

@@ -43,15 +43,16 @@ namespace Tribody
     /**
      * Implicit cycle jumps: an L-stable, stiffly accurate diagonally implicit
      * Runge-Kutta method of ARKODE with its own step control integrates
-     * WearEquation. Each stage solves @f$ y = a + \gamma\,\Delta N\,W(y) @f$, the
-     * optimality condition of a convex quadratic programme, by Newton's method
-     * with a new Jacobian in every iteration: one that lags behind belongs to
-     * other active sets and does not converge while the contact grows.
+     * WearEquation. Each stage solves @f$ y = a + \gamma\,\Delta N\,W(y) @f$,
+     * the optimality condition of a convex quadratic programme, by Newton's
+     * method with a new Jacobian in every iteration: one that lags behind
+     * belongs to other active sets and does not converge while the contact
+     * grows.
      */
     class ImplicitExtrapolation
     {
     public:
-      ImplicitExtrapolation(const WearEquation &    equation,
+      ImplicitExtrapolation(const WearEquation     &equation,
                             const ImplicitSettings &settings);
 
       ~ImplicitExtrapolation();

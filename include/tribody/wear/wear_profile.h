@@ -30,6 +30,11 @@ namespace Tribody
       BoreSurface
       surface() const;
 
+      /// Derivative of the area inside @p surface with respect to the depth at
+      /// each node, @f$ \mathbf n_i \cdot \mathbf w_i @f$ [m].
+      Eigen::VectorXd
+      area_derivative(const BoreSurface &surface) const;
+
       /**
        * What the depth grows by when node i loses the cross-section area
        * @p removed_area [m^2]: @f$ \Delta h_i = A_i / (\mathbf n_i \cdot
