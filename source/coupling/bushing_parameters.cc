@@ -48,6 +48,35 @@ namespace Tribody
                                "Archard's k: worn volume per normal force and "
                                "sliding distance, not negative.",
                                "mm^3/(N m)");
+      Parameters::add_quantity(prm,
+                               "Stop at maximum depth",
+                               limits.max_depth,
+                               "m",
+                               "The run ends when the wear is this deep "
+                               "somewhere; 0: never.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Stop at clearance",
+                               limits.clearance,
+                               "m",
+                               "The run ends when the clearance between pin "
+                               "and worn bore has this value somewhere; 0: "
+                               "never.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Stop at worn volume",
+                               limits.volume,
+                               "m^3",
+                               "The run ends when this volume is worn away; "
+                               "0: never.",
+                               "mm^3");
+      Parameters::add_quantity(prm,
+                               "Stop at worn mass",
+                               limits.mass,
+                               "kg",
+                               "The run ends when this mass is worn away; 0: "
+                               "never.",
+                               "g");
       Parameters::add_text(prm,
                            "Comparison source",
                            comparison.source,
@@ -94,6 +123,14 @@ namespace Tribody
         ExcParameter(path + "Wear coefficient",
                      Units::to_string(wear_coefficient, "Pa^-1", "mm^3/(N m)") +
                        " must not be negative"));
+      for (const auto &[limit, name_of_limit] :
+           {std::make_pair(limits.max_depth, "Stop at maximum depth"),
+            std::make_pair(limits.clearance, "Stop at clearance"),
+            std::make_pair(limits.volume, "Stop at worn volume"),
+            std::make_pair(limits.mass, "Stop at worn mass")})
+        AssertThrow(limit >= 0.,
+                    ExcParameter(path + name_of_limit,
+                                 "must not be negative; 0 means no limit"));
       mesh.check((path + "Mesh/").c_str());
     }
   } // namespace Coupling

@@ -300,10 +300,19 @@ namespace Tribody
       Parameters::add_choice(prm,
                              "Extrapolation",
                              extrapolation,
-                             {"constant"},
+                             {"implicit", "constant"},
                              "How the wear of one cycle is carried over many. "
-                             "constant: explicit steps of equal length, eqs. "
-                             "(24) and (25) of Mukras et al.");
+                             "implicit: as few implicit steps as the tolerance "
+                             "allows, whatever the mesh. constant: explicit "
+                             "steps of equal length, eqs. (24) and (25) of "
+                             "Mukras et al.");
+      Parameters::add_quantity(prm,
+                               "Tolerance",
+                               tolerance,
+                               "",
+                               "Error of the depth that an implicit step may "
+                               "make, relative to the largest depth, between "
+                               "1e-8 and 0.1.");
       Parameters::add_quantity(prm,
                                "Cycles per step",
                                cycles_per_step,
@@ -328,6 +337,10 @@ namespace Tribody
     void
     WearParameters::check() const
     {
+      AssertThrow(tolerance >= 1e-8 && tolerance <= 0.1,
+                  ExcParameter("Wear/Tolerance",
+                               Units::to_string(tolerance, "", "") +
+                                 " must lie between 1e-8 and 0.1"));
       AssertThrow(cycles_per_step >= 0.,
                   ExcParameter("Wear/Cycles per step",
                                Units::to_string(cycles_per_step, "", "") +

@@ -184,16 +184,25 @@ namespace Tribody
         return;
       write_history_row(state, bushings);
 
-      const double interval =
-        static_cast<double>(parameters.cycles) / (parameters.n_outputs - 1);
-      if (state.cycles >= n_outputs * interval ||
-          state.cycles >= parameters.cycles)
+      if (state.cycles >= next_output())
         record_fields(state, bushings);
 
       const bool is_last = state.cycles >= parameters.cycles;
       if (parameters.cycles > 0 &&
           (is_last || seconds_since(progress_printed_at) > progress_interval))
         print_progress(state, bushings);
+    }
+
+
+
+    double
+    RunRecorder::next_output() const
+    {
+      const double interval =
+        static_cast<double>(parameters.cycles) / (parameters.n_outputs - 1);
+      return n_outputs + 1 < parameters.n_outputs
+               ? std::round(n_outputs * interval)
+               : parameters.cycles;
     }
 
 

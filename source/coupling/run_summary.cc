@@ -30,7 +30,7 @@ namespace Tribody
         summary.worn_mass =
           summary.worn_volume * joint.bushing_material.density;
         summary.max_pressure       = contact.max_pressure;
-        summary.contact_half_angle = contact.at_peak_force.half_angle;
+        summary.contact_half_angle = contact.at_peak_force().half_angle;
         summary.mesh_oscillation   = Wear::mesh_oscillation(contact.wear_rate);
         if (totals.removed_volume > 0.)
           summary.volume_balance_relative_error =
@@ -51,6 +51,19 @@ namespace Tribody
               crescent.volume(summary.crescent_max_wear_depth);
           }
         return summary;
+      }
+
+
+
+      // Of the deepest node.
+      double
+      relative_error(const Eigen::VectorXd   &depth_error,
+                     const Wear::WearProfile &profile)
+      {
+        return profile.max_depth() > 0.
+                 ? std::abs(depth_error[profile.deepest_node()]) /
+                     profile.max_depth()
+                 : 0.;
       }
 
 
@@ -161,8 +174,8 @@ namespace Tribody
                   summary.compliance_builds += bushing.n_compliance_builds();
                   summary.max_wear_depth_relative_error =
                     std::max(summary.max_wear_depth_relative_error,
-                             state.totals[b].error_estimate.relative_to(
-                               bushing.profile().depth));
+                             relative_error(state.totals[b].depth_error,
+                                            bushing.profile()));
                 }
               ++b;
             }

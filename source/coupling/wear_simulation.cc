@@ -10,7 +10,8 @@
 #include <ctime>
 #include <limits>
 #include <map>
-#include <sstream>
+#include <memory>
+#include <string>
 
 namespace Tribody
 {
@@ -18,9 +19,33 @@ namespace Tribody
   {
     namespace
     {
-      // Of the stable length, when the program chooses the wear step: far
-      // enough below it that a sawtooth decays.
-      constexpr double safe_fraction_of_stable_step = 0.8;
+      std::unique_ptr<CycleJump>
+      make_jump(const WearParameters      &parameters,
+                std::list<WearingBushing> &bushings,
+                const StopConditions      &stop_conditions)
+      {
+        if (parameters.extrapolation == "constant")
+          return std::make_unique<ConstantJump>(bushings,
+                                                stop_conditions,
+                                                parameters.cycles_per_step);
+        return std::make_unique<ImplicitJump>(bushings,
+                                              stop_conditions,
+                                              parameters.tolerance);
+      }
+
+
+
+      std::list<WearingBushing>
+      make_bushings(const CaseParameters &parameters)
+      {
+        std::list<WearingBushing> bushings;
+        if (parameters.cycles > 0)
+          for (const BushingParameters &bushing : parameters.bushings)
+            bushings.emplace_back(bushing,
+                                  parameters.joint(bushing.name),
+                                  parameters.wear.compliance_update);
+        return bushings;
+      }
     } // namespace
 
 
@@ -36,15 +61,15 @@ namespace Tribody
               dealii::TimerOutput::wall_times)
       , mechanism(parameters.mechanism)
       , dynamics(mechanism, parameters.dynamics)
+      , bushings(make_bushings(parameters))
+      , stop_conditions(bushings)
+      , jump(make_jump(parameters.wear, bushings, stop_conditions))
     {
-      dealii::TimerOutput::Scope scope(timer, "set up bushings");
-      if (parameters.cycles > 0)
-        for (const BushingParameters &bushing : parameters.bushings)
-          bushings.emplace_back(bushing,
-                                parameters.joint(bushing.name),
-                                parameters.wear.compliance_update);
-
       state.totals.resize(bushings.size());
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        state.totals[b++].depth_error =
+          Eigen::VectorXd::Zero(bushing.profile().depth.size());
       state.contact_losses.resize(mechanism.parameters().joints.size());
     }
 
@@ -77,14 +102,17 @@ namespace Tribody
       recorder.start();
       try
         {
-          run_cycles(recorder);
+          const std::string reached = run_cycles(recorder);
+          write_summary(directory,
+                        recorder,
+                        reached.empty() ? "completed" : "stopped",
+                        reached);
         }
       catch (const ExcRun &exception)
         {
           write_summary(directory, recorder, "failed", message_of(exception));
           throw;
         }
-      write_summary(directory, recorder, "completed", "");
       timer.print_summary();
     }
 
@@ -118,7 +146,7 @@ namespace Tribody
 
 
 
-    void
+    std::string
     WearSimulation::run_cycles(RunRecorder &recorder)
     {
       run_dynamics();
@@ -127,19 +155,83 @@ namespace Tribody
 
       while (state.cycles < parameters.cycles)
         {
-          const double                    n_cycles = choose_wear_step();
-          const std::vector<CycleContact> before   = state.contacts;
-
-          wear(n_cycles);
+          const int reached = take_wear_step(recorder.next_output());
           run_dynamics();
           solve_contacts();
-
-          for (std::size_t b = 0; b < state.totals.size(); ++b)
-            state.totals[b].error_estimate.add_step(before[b].wear_rate,
-                                                    state.contacts[b].wear_rate,
-                                                    n_cycles);
+          estimate_error();
+          if (reached >= 0)
+            {
+              recorder.record_fields(state, bushings);
+              return stop_conditions.describe(reached);
+            }
           recorder.record(state, bushings);
         }
+      return "";
+    }
+
+
+
+    int
+    WearSimulation::take_wear_step(const double end)
+    {
+      dealii::TimerOutput::Scope scope(timer, "wear step");
+
+      const double       cycles_before = state.cycles;
+      const unsigned int n_before      = jump->n_rate_evaluations();
+      const int          reached       = jump->advance(state, end);
+      count_rate_evaluations(jump->n_rate_evaluations() - n_before);
+      warn_of_unstable_step();
+
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          state.totals[b].sliding_distance +=
+            (state.cycles - cycles_before) *
+            state.duty_cycle.joint(bushing.name()).sliding_distance();
+          ++b;
+        }
+      ++state.counts.wear_steps;
+      return reached;
+    }
+
+
+
+    void
+    WearSimulation::count_rate_evaluations(const unsigned int n)
+    {
+      state.counts.rate_evaluations += n;
+      for (const CycleContact &contact : state.contacts)
+        state.counts.contact_solves += n * contact.samples.size();
+    }
+
+
+
+    void
+    WearSimulation::warn_of_unstable_step()
+    {
+      if (unstable_step_reported || state.max_stable_step == 0. ||
+          parameters.wear.cycles_per_step <= state.max_stable_step)
+        return;
+      unstable_step_reported = true;
+      console.out() << "WARNING: 'Wear/Cycles per step' = "
+                    << parameters.wear.cycles_per_step
+                    << " is longer than explicit steps are stable for on this "
+                       "mesh, about "
+                    << state.max_stable_step
+                    << ": pressure and depth will oscillate from node to node. "
+                       "Choose shorter steps, a coarser mesh, or 'set "
+                       "Extrapolation = implicit'."
+                    << std::endl;
+    }
+
+
+
+    void
+    WearSimulation::estimate_error()
+    {
+      for (std::size_t b = 0; b < state.totals.size(); ++b)
+        state.totals[b].depth_error +=
+          jump->estimate_error(b, state.contacts[b].wear_rate);
     }
 
 
@@ -170,80 +262,24 @@ namespace Tribody
     {
       dealii::TimerOutput::Scope scope(timer, "contact");
 
-      state.contacts.clear();
-      for (const WearingBushing &bushing : bushings)
-        {
-          state.contacts.push_back(bushing.compute_cycle_contact(
-            state.duty_cycle.joint(bushing.name())));
-          state.counts.contact_solves += state.contacts.back().n_solves;
-        }
-      ++state.counts.rate_evaluations;
-    }
-
-
-
-    double
-    WearSimulation::choose_wear_step()
-    {
-      // The bound follows the compliance, and costs an eigenvalue problem.
-      unsigned int n_builds = 0;
-      for (const WearingBushing &bushing : bushings)
-        n_builds += bushing.n_compliance_builds();
-      if (n_builds != stable_step_builds)
-        {
-          dealii::TimerOutput::Scope scope(timer, "stable wear step");
-          state.max_stable_step = std::numeric_limits<double>::max();
-          for (const WearingBushing &bushing : bushings)
-            if (bushing.bushing_parameters().wear_coefficient > 0.)
-              state.max_stable_step = std::min(
-                state.max_stable_step,
-                bushing.max_stable_step(
-                  state.duty_cycle.joint(bushing.name()).sliding_distance()));
-          stable_step_builds = n_builds;
-        }
-
-      Wear::ConstantExtrapolation extrapolation{
-        parameters.wear.cycles_per_step};
-      if (extrapolation.cycles_per_step == 0.)
-        extrapolation.cycles_per_step = std::max(
-          1., std::floor(safe_fraction_of_stable_step * state.max_stable_step));
-      else if (extrapolation.cycles_per_step > state.max_stable_step &&
-               !unstable_step_reported)
-        {
-          console.out() << "WARNING: 'Wear/Cycles per step' = "
-                        << extrapolation.cycles_per_step
-                        << " is longer than explicit steps are stable for on "
-                           "this mesh, about "
-                        << state.max_stable_step
-                        << ": pressure and depth will oscillate from node to "
-                           "node. Choose shorter steps or a coarser mesh."
-                        << std::endl;
-          unstable_step_reported = true;
-        }
-      return extrapolation.next_step(state.cycles, parameters.cycles);
-    }
-
-
-
-    void
-    WearSimulation::wear(const double n_cycles)
-    {
-      dealii::TimerOutput::Scope scope(timer, "worn geometry, compliance");
-
       std::size_t b = 0;
-      for (WearingBushing &bushing : bushings)
+      for (const WearingBushing &bushing : bushings)
         {
-          bushing.wear_by(n_cycles * state.contacts[b].wear_rate);
-          state.totals[b].removed_volume +=
-            n_cycles * state.contacts[b].removed_area.sum() *
-            bushing.bushing_parameters().axial_length;
-          state.totals[b].sliding_distance +=
-            n_cycles *
-            state.duty_cycle.joint(bushing.name()).sliding_distance();
+          const Multibody::JointDutyCycle &cycle =
+            state.duty_cycle.joint(bushing.name());
+          const bool         is_first = state.contacts.size() <= b;
+          const CycleContact contact =
+            bushing.compute_cycle_contact(bushing.profile().depth,
+                                          cycle,
+                                          is_first ? nullptr
+                                                   : &state.contacts[b]);
+          if (is_first)
+            state.contacts.push_back(contact);
+          else
+            state.contacts[b] = contact;
           ++b;
         }
-      state.cycles += n_cycles;
-      ++state.counts.wear_steps;
+      count_rate_evaluations(1);
     }
   } // namespace Coupling
 } // namespace Tribody

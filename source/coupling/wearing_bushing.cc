@@ -215,6 +215,18 @@ namespace Tribody
 
 
     double
+    WearingBushing::volume_for_depth(const Eigen::VectorXd &depth) const
+    {
+      Wear::WearProfile profile = wear_profile;
+      profile.depth             = depth;
+      const double area         = profile.surface().enclosed_area;
+      profile.depth             = Eigen::VectorXd::Zero(depth.size());
+      return (area - profile.surface().enclosed_area) * parameters.axial_length;
+    }
+
+
+
+    double
     WearingBushing::worn_volume() const
     {
       return (unworn_area - geometry.area()) * parameters.axial_length;

@@ -41,26 +41,12 @@ namespace Tribody
 
 
 
-    void
-    EulerErrorEstimate::add_step(const Eigen::VectorXd &rate_before,
-                                 const Eigen::VectorXd &rate_after,
-                                 const double           n_cycles)
+    Eigen::VectorXd
+    euler_error(const Eigen::VectorXd &rate_before,
+                const Eigen::VectorXd &rate_after,
+                const double           n_cycles)
     {
-      if (error.size() == 0)
-        error = Eigen::VectorXd::Zero(rate_before.size());
-      error += 0.5 * n_cycles * (rate_after - rate_before);
-    }
-
-
-
-    double
-    EulerErrorEstimate::relative_to(const Eigen::VectorXd &depth) const
-    {
-      Eigen::Index deepest   = 0;
-      const double max_depth = depth.maxCoeff(&deepest);
-      if (error.size() == 0 || !(max_depth > 0.))
-        return 0.;
-      return std::abs(error[deepest]) / max_depth;
+      return 0.5 * n_cycles * (rate_after - rate_before);
     }
   } // namespace Wear
 } // namespace Tribody

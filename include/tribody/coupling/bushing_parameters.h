@@ -15,6 +15,19 @@ namespace Tribody
 {
   namespace Coupling
   {
+    /// When the life of a bushing is over; zero: no limit.
+    struct BushingLimits
+    {
+      /// Maximum wear depth [m].
+      double max_depth = 0.;
+      /// Largest clearance between pin and worn bore [m].
+      double clearance = 0.;
+      /// Worn volume [m^3].
+      double volume = 0.;
+      /// Worn mass [kg].
+      double mass = 0.;
+    };
+
     /**
      * The bushing of a revolute joint with clearance, as a body that deforms
      * and wears. Its bore radius and its material are the joint's.
@@ -34,7 +47,8 @@ namespace Tribody
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
       /// Archard's k [Pa^-1].
-      double wear_coefficient = 0.;
+      double        wear_coefficient = 0.;
+      BushingLimits limits;
       /// Values that the results are shown beside.
       Output::Comparison comparison;
 

@@ -23,8 +23,10 @@ namespace Tribody
     /// How wear is integrated over the cycles.
     struct WearParameters
     {
-      /// "constant": the paper's extrapolation.
-      std::string extrapolation = "constant";
+      /// "implicit", or "constant": the paper's extrapolation.
+      std::string extrapolation = "implicit";
+      /// Relative error of the depth that an implicit step may make [-].
+      double tolerance = 5e-3;
       /// Cycles per wear step A_E; 0 lets the program choose.
       double cycles_per_step = 0.;
       /// Change of the profile, as a fraction of the wall, after which the

@@ -41,6 +41,10 @@ namespace Tribody
       void
       record(const RunState &state, const std::list<WearingBushing> &bushings);
 
+      /// Cycles at which fields are to be written next.
+      double
+      next_output() const;
+
       /// Write the fields of @p state now, if record() has not just done so:
       /// for a run that ends before its time.
       void

@@ -3,7 +3,6 @@
 
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/multibody/duty_cycle.h>
-#include <tribody/wear/constant_extrapolation.h>
 
 #include <deque>
 #include <vector>
@@ -19,8 +18,9 @@ namespace Tribody
       /// distance [m^3]: what Archard's law has removed.
       double removed_volume = 0.;
       /// Distance that the pin has slid [m].
-      double                   sliding_distance = 0.;
-      Wear::EulerErrorEstimate error_estimate;
+      double sliding_distance = 0.;
+      /// Estimated error of the depth, left by the steps [m]; per bore node.
+      Eigen::VectorXd depth_error;
     };
 
     /// What a run counts.

@@ -5,6 +5,7 @@
 
 #include <tribody/base/console.h>
 #include <tribody/coupling/case_parameters.h>
+#include <tribody/coupling/cycle_jump.h>
 #include <tribody/coupling/run_recorder.h>
 #include <tribody/coupling/run_state.h>
 #include <tribody/coupling/wearing_bushing.h>
@@ -14,6 +15,7 @@
 #include <tribody/output/summary.h>
 
 #include <list>
+#include <memory>
 #include <mpi.h>
 
 namespace Tribody
@@ -51,7 +53,8 @@ namespace Tribody
       run(const Output::OutputDirectory &directory);
 
     private:
-      void
+      /// @return the stop condition that ended the run, or "".
+      std::string
       run_cycles(RunRecorder &recorder);
 
       /// One settled cycle of the mechanism with its worn joints.
@@ -62,13 +65,21 @@ namespace Tribody
       void
       solve_contacts();
 
-      /// Cycles of the next wear step.
-      double
-      choose_wear_step();
+      /// One step of the wear over many cycles, at most to @p end [cycles].
+      /// @return index of the stop condition that was reached, or -1.
+      int
+      take_wear_step(const double end);
 
-      /// Let every bushing wear for @p n_cycles.
+      /// Add up what the last wear step has left of error, now that the rates
+      /// at its end are known.
       void
-      wear(const double n_cycles);
+      estimate_error();
+
+      void
+      count_rate_evaluations(const unsigned int n);
+
+      void
+      warn_of_unstable_step();
 
       void
       write_summary(const Output::OutputDirectory &directory,
@@ -84,9 +95,9 @@ namespace Tribody
       Multibody::CycleSimulation dynamics;
       std::list<WearingBushing>  bushings;
       RunState                   state;
-      /// Compliance builds that state.max_stable_step belongs to.
-      unsigned int stable_step_builds     = 0;
-      bool         unstable_step_reported = false;
+      StopConditions             stop_conditions;
+      std::unique_ptr<CycleJump> jump;
+      bool                       unstable_step_reported = false;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -123,6 +123,11 @@ namespace Tribody
       ClearanceProfile
       clearance_profile() const;
 
+      /// What is lost when the bore is worn by @p depth [m], from the bore
+      /// curve alone [m^3].
+      double
+      volume_for_depth(const Eigen::VectorXd &depth) const;
+
       /// What wear has removed, measured on the mesh [m^3].
       double
       worn_volume() const;

@@ -47,27 +47,14 @@ namespace Tribody
                     const double           wear_per_pressure);
 
     /**
-     * Estimate of the error that explicit Euler steps leave in the deepest
-     * node: to leading order each step of @f$ \Delta N @f$ cycles is wrong by
-     * half of @f$ \Delta N (W_{n+1} - W_n) @f$.
+     * Estimate of the error that an explicit Euler step of @p n_cycles leaves,
+     * to leading order half of @f$ \Delta N (W_{n+1} - W_n) @f$ [m], from the
+     * rates [m per cycle] before and after it, one value per node.
      */
-    class EulerErrorEstimate
-    {
-    public:
-      /// A step of @p n_cycles was taken between the rates @p rate_before and
-      /// @p rate_after [m per cycle], one value per node.
-      void
-      add_step(const Eigen::VectorXd &rate_before,
-               const Eigen::VectorXd &rate_after,
-               const double           n_cycles);
-
-      /// |error| / depth where @p depth [m] is largest; 0 if nothing is worn.
-      double
-      relative_to(const Eigen::VectorXd &depth) const;
-
-    private:
-      Eigen::VectorXd error;
-    };
+    Eigen::VectorXd
+    euler_error(const Eigen::VectorXd &rate_before,
+                const Eigen::VectorXd &rate_after,
+                const double           n_cycles);
   } // namespace Wear
 } // namespace Tribody
 
