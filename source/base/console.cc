@@ -1,9 +1,11 @@
 #include <boost/iostreams/device/file.hpp>
+#include <boost/iostreams/device/null.hpp>
 #include <boost/iostreams/tee.hpp>
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
 
+#include <fstream>
 #include <iostream>
 
 namespace Tribody
@@ -12,7 +14,12 @@ namespace Tribody
     : writes(is_first_rank)
   {
     if (writes)
-      stream.push(std::cout);
+      {
+        // Each line is to be seen at once, in a pipe too.
+        std::cout << std::unitbuf;
+        stream.push(boost::iostreams::tee(said_before_log));
+        stream.push(std::cout);
+      }
     else
       stream.push(boost::iostreams::null_sink());
   }
@@ -25,12 +32,16 @@ namespace Tribody
     if (!writes)
       return;
 
-    const boost::iostreams::file_sink log(file_name);
-    AssertThrow(log.is_open(),
-                ExcRun("Cannot write the log file '" + file_name + "'."));
     stream.flush();
+    std::ofstream begin(file_name);
+    begin << said_before_log.str() << std::flush;
+    AssertThrow(begin,
+                ExcRun("Cannot write the log file '" + file_name + "'."));
+    begin.close();
+
     stream.reset();
-    stream.push(boost::iostreams::tee(log));
+    stream.push(boost::iostreams::tee(
+      boost::iostreams::file_sink(file_name, std::ios_base::app)));
     stream.push(std::cout);
   }
 } // namespace Tribody

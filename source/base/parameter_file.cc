@@ -167,6 +167,7 @@ namespace Tribody
         {
           ++line_number;
           part = part.substr(0, part.find('#'));
+          std::replace(part.begin(), part.end(), '\t', ' ');
           boost::algorithm::trim_right(part);
           const bool continued = !part.empty() && part.back() == '\\';
           if (continued)

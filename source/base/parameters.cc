@@ -218,36 +218,16 @@ namespace Tribody
       const std::string problem = "'" + text + "' is not a whole number from " +
                                   std::to_string(minimum) + " to " +
                                   std::to_string(maximum);
-      AssertThrow(!text.empty() && text.size() < 10 &&
+      AssertThrow(!text.empty() && text.size() < 18 &&
                     std::all_of(text.begin(),
                                 text.end(),
                                 [](unsigned char c) {
                                   return std::isdigit(c) != 0;
                                 }),
                   ExcInput(problem));
-      const unsigned long number = std::stoul(text);
+      const unsigned long long number = std::stoull(text);
       AssertThrow(number >= minimum && number <= maximum, ExcInput(problem));
       value = static_cast<unsigned int>(number);
-    });
-  }
-
-
-
-  void
-  Parameters::add_flag(dealii::ParameterHandler &prm,
-                       const std::string        &name,
-                       bool                     &value,
-                       const std::string        &documentation)
-  {
-    prm.declare_entry(name,
-                      value ? "yes" : "no",
-                      dealii::Patterns::Anything(),
-                      documentation + " yes or no.");
-    prm.add_action(name, [&value](const std::string &text) {
-      AssertThrow(text == "yes" || text == "no" || text == "true" ||
-                    text == "false",
-                  ExcInput("'" + text + "' is neither yes nor no"));
-      value = (text == "yes" || text == "true");
     });
   }
 

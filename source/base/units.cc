@@ -102,6 +102,16 @@ namespace Tribody
     const std::string unit_text =
       boost::algorithm::trim_copy(std::string(rest));
 
+    // UDUNITS would multiply: "9 .525 mm" is not 4.7 mm.
+    AssertThrow(unit_text.empty() ||
+                  std::string("0123456789.,+-").find(unit_text[0]) ==
+                    std::string::npos,
+                ExcInput("'" + trimmed +
+                         "' has more than one number before its unit (a blank "
+                         "inside the number, or a decimal comma?); write for "
+                         "example " +
+                         example("1.5", shown_unit)));
+
     if (si_unit.empty())
       {
         AssertThrow(unit_text.empty(),

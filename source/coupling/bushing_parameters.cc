@@ -131,7 +131,7 @@ namespace Tribody
         AssertThrow(limit >= 0.,
                     ExcParameter(path + name_of_limit,
                                  "must not be negative; 0 means no limit"));
-      mesh.check((path + "Mesh/").c_str());
+      mesh.check(path + "Mesh");
     }
   } // namespace Coupling
 } // namespace Tribody

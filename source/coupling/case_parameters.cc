@@ -245,6 +245,55 @@ namespace Tribody
 
 
 
+      // Values that belong to the case and that nobody can guess: a default
+      // would be a silent invention.
+      void
+      check_required(const ParameterFile  &file,
+                     const CaseParameters &parameters)
+      {
+        const auto require = [&file](const std::string              &subsection,
+                                     const std::vector<std::string> &names) {
+          for (const std::string &name : names)
+            AssertThrow(file.is_set(subsection + "/" + name),
+                        ExcParameter(subsection + "/" + name,
+                                     "is not set and has no usual value; write "
+                                     "'set " +
+                                       name + " = ...'"));
+        };
+
+        for (const auto &body : parameters.mechanism.bodies)
+          require("Body " + body.name,
+                  {"Mass", "Moment of inertia", "Markers"});
+        for (const auto &joint : parameters.mechanism.joints)
+          {
+            const std::string subsection = "Joint " + joint.name;
+            if (joint.is_revolute())
+              require(subsection, {"Pin marker", "Bushing marker"});
+            else
+              require(subsection, {"First marker", "Second marker"});
+            if (joint.has_clearance())
+              require(subsection,
+                      {"Pin radius",
+                       "Bushing radius",
+                       "Pin material",
+                       "Bushing material"});
+          }
+        for (const auto &spring : parameters.mechanism.springs)
+          require(
+            "Spring " + spring.name,
+            {"First marker", "Second marker", "Stiffness", "Reference length"});
+        for (const auto &driver : parameters.mechanism.drivers)
+          require("Driver " + driver.name, {"Body", "Speed"});
+        for (const Material &material : parameters.materials)
+          require("Material " + material.name,
+                  {"Young's modulus", "Poisson's ratio", "Density"});
+        for (const BushingParameters &bushing : parameters.bushings)
+          require("Bushing " + bushing.name,
+                  {"Axial length", "Outer radius", "Wear coefficient"});
+      }
+
+
+
       void
       check(const CaseParameters &parameters)
       {
@@ -388,6 +437,7 @@ namespace Tribody
 
       try
         {
+          check_required(file, parameters);
           resolve_materials(parameters);
           check(parameters);
         }

@@ -120,7 +120,7 @@ namespace Tribody
       if (options.count("output") > 0)
         parameters.output_directory = options["output"].as<std::string>();
 
-      const Output::OutputDirectory directory(parameters.output_directory);
+      Output::OutputDirectory directory(parameters.output_directory);
       console.out() << parameters.title << std::endl;
       WearSimulation simulation(parameters, console, communicator);
       simulation.print_setup();

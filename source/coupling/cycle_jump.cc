@@ -12,9 +12,14 @@ namespace Tribody
   {
     namespace
     {
-      // Of the stable length, when the program chooses the wear step: far
-      // enough below it that a sawtooth decays.
-      constexpr double safe_fraction_of_stable_step = 0.8;
+      // Far enough below the stable length that a sawtooth decays; whole
+      // cycles as long as there is more than one.
+      double
+      safe_step(const double max_stable_step)
+      {
+        const double step = 0.8 * max_stable_step;
+        return step > 1. ? std::floor(step) : step;
+      }
     } // namespace
 
 
@@ -41,11 +46,8 @@ namespace Tribody
     {
       update_stable_step(state);
       const Wear::ConstantExtrapolation extrapolation{
-        cycles_per_step > 0.
-          ? cycles_per_step
-          : std::max(1.,
-                     std::floor(safe_fraction_of_stable_step *
-                                state.max_stable_step))};
+        cycles_per_step > 0. ? cycles_per_step
+                             : safe_step(state.max_stable_step)};
 
       rates_before.clear();
       for (const CycleContact &contact : state.contacts)

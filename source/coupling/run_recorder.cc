@@ -132,10 +132,10 @@ namespace Tribody
 
 
 
-    RunRecorder::RunRecorder(const CaseParameters          &parameters,
-                             const Output::OutputDirectory &directory,
-                             Console                       &console,
-                             const bool                     is_first_rank)
+    RunRecorder::RunRecorder(const CaseParameters    &parameters,
+                             Output::OutputDirectory &directory,
+                             Console                 &console,
+                             const bool               is_first_rank)
       : parameters(parameters)
       , directory(directory)
       , console(console)
@@ -156,7 +156,7 @@ namespace Tribody
       const std::string message   = directory.create();
       const std::string file_name = directory.file("parameters.prm");
       std::ofstream     file(file_name);
-      file << parameters.text;
+      file << parameters.text << std::flush;
       AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
 
       console.open_log(directory.file("log.txt"));
@@ -211,7 +211,8 @@ namespace Tribody
     RunRecorder::record_fields(const RunState                  &state,
                                const std::list<WearingBushing> &bushings)
     {
-      if (!writes || last_output_at == state.cycles)
+      if (!writes || last_output_at == state.cycles ||
+          state.contacts.size() != bushings.size())
         return;
       write_duty_cycles(state.duty_cycle);
       std::size_t b = 0;

@@ -13,6 +13,37 @@ namespace Tribody
   {
     namespace
     {
+      Eigen::Vector2d
+      direction(const Multibody::JointDutyCycle &cycle, const Eigen::Index j)
+      {
+        const double angle = cycle.contact_angle_bushing[j];
+        return {std::cos(angle), std::sin(angle)};
+      }
+
+
+
+      // The closed form knows one direction of the force and no elasticity:
+      // contact within 45 deg of its mean direction, and wear deeper than the
+      // clearance.
+      bool
+      crescent_applies(const Multibody::JointDutyCycle &cycle,
+                       const Wear::WearProfile         &profile,
+                       const double                     clearance)
+      {
+        if (!(clearance > 0.) || profile.max_depth() < clearance)
+          return false;
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
+          mean += cycle.normal_force[j] * direction(cycle, j);
+        for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
+          if (cycle.normal_force[j] > 0. &&
+              direction(cycle, j).dot(mean) < std::sqrt(0.5) * mean.norm())
+            return false;
+        return true;
+      }
+
+
+
       Output::BushingSummary
       summarise_bushing(const WearingBushing            &bushing,
                         const Multibody::JointDutyCycle &cycle,
@@ -38,13 +69,15 @@ namespace Tribody
         summary.comparison = parameters.comparison;
 
         const double unworn = joint.bushing_radius - joint.pin_radius;
-        if (unworn > 0.)
+        if (crescent_applies(cycle, profile, unworn))
           {
             const Wear::Crescent crescent{joint.bushing_radius,
                                           unworn,
                                           parameters.axial_length,
                                           parameters.wear_coefficient,
-                                          cycle.mean_normal_force()};
+                                          totals.force_over_sliding /
+                                            totals.sliding_distance};
+            summary.crescent_normal_force = crescent.normal_force;
             summary.crescent_max_wear_depth =
               crescent.depth(totals.sliding_distance);
             summary.crescent_worn_volume =
@@ -94,7 +127,8 @@ namespace Tribody
             << bushing.contact_half_angle * 180. / M_PI << " deg" << std::endl;
         if (bushing.crescent_max_wear_depth > 0.)
           out << "    crescent closed form (stiff bushing, constant force "
-              << joint.mean_normal_force << " N): depth "
+              << bushing.crescent_normal_force
+              << " N, the mean over the sliding distance): depth "
               << bushing.crescent_max_wear_depth * 1e3 << " mm (result "
               << difference(bushing.max_wear_depth,
                             bushing.crescent_max_wear_depth)
@@ -116,7 +150,8 @@ namespace Tribody
         out << std::setprecision(2) << "    checks: volume balance "
             << bushing.volume_balance_relative_error
             << ", mesh-size oscillation of the wear rate "
-            << bushing.mesh_oscillation << ", losses of contact "
+            << bushing.mesh_oscillation
+            << ", losses of contact in the recorded cycles "
             << joint.contact_losses << std::endl;
       }
     } // namespace
@@ -137,6 +172,7 @@ namespace Tribody
       summary.contact_solves      = state.counts.contact_solves;
       summary.constraint_drift    = state.constraint_drift;
       summary.all_settled         = state.all_settled;
+      summary.settling_message    = state.settling_message;
       summary.settling_difference = state.duty_cycle.settling.repeat_difference;
 
       for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
@@ -148,7 +184,7 @@ namespace Tribody
           joint.has_clearance = cycle.has_clearance;
           joint.peak_force    = cycle.peak_force();
           joint.mean_force    = cycle.mean_force();
-          if (cycle.is_revolute)
+          if (cycle.has_clearance)
             joint.sliding_per_cycle = cycle.sliding_distance();
           if (cycle.has_clearance)
             {
@@ -194,6 +230,9 @@ namespace Tribody
 
       out << std::endl
           << "Results after " << std::lround(summary.cycles) << " cycles"
+          << (summary.message.empty()
+                ? ""
+                : " (" + summary.status + ": " + summary.message + ")")
           << std::endl;
       for (const Output::JointSummary &joint : summary.joints)
         {
@@ -213,11 +252,10 @@ namespace Tribody
             << 100. * summary.max_wear_depth_relative_error << " %"
             << std::endl;
       if (!summary.all_settled)
-        out << "  WARNING: not every duty cycle settled to 'Dynamics/Settling "
-               "tolerance' within 'Dynamics/Maximum settling cycles'."
-            << std::endl;
+        out << "  WARNING: not every duty cycle settled: "
+            << summary.settling_message << "." << std::endl;
       out << "  " << summary.wear_steps << " wear steps, "
-          << summary.dynamics_cycles << " duty cycles, "
+          << summary.dynamics_cycles << " cycles of dynamics, "
           << summary.contact_solves << " contact problems, "
           << summary.compliance_builds << " compliance builds; "
           << std::setprecision(3) << summary.wall_time << " s" << std::endl;

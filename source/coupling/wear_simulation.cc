@@ -2,6 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
 
@@ -11,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 
 namespace Tribody
@@ -92,7 +94,7 @@ namespace Tribody
 
 
     void
-    WearSimulation::run(const Output::OutputDirectory &directory)
+    WearSimulation::run(Output::OutputDirectory &directory)
     {
       RunRecorder recorder(parameters,
                            directory,
@@ -100,6 +102,7 @@ namespace Tribody
                            dealii::Utilities::MPI::this_mpi_process(
                              communicator) == 0);
       recorder.start();
+      watch_for_interruption();
       try
         {
           const std::string reached = run_cycles(recorder);
@@ -108,12 +111,37 @@ namespace Tribody
                         reached.empty() ? "completed" : "stopped",
                         reached);
         }
-      catch (const ExcRun &exception)
+      catch (const std::exception &exception)
         {
-          write_summary(directory, recorder, "failed", message_of(exception));
+          keep_results(directory, recorder, exception);
           throw;
         }
       timer.print_summary();
+      AssertThrow(!was_interrupted(),
+                  ExcRun("It was interrupted; the results up to there are "
+                         "written."));
+    }
+
+
+
+    void
+    WearSimulation::keep_results(const Output::OutputDirectory &directory,
+                                 RunRecorder                   &recorder,
+                                 const std::exception          &exception)
+    {
+      const auto *ours =
+        dynamic_cast<const dealii::ExceptionBase *>(&exception);
+      const std::string message =
+        ours != nullptr ? message_of(*ours) : exception.what();
+      // What made the run fail may make this fail too, a full disk for example;
+      // the first failure is the one to report.
+      try
+        {
+          write_summary(directory, recorder, "failed", message);
+          recorder.record_fields(state, bushings);
+        }
+      catch (const std::exception &)
+        {}
     }
 
 
@@ -124,11 +152,6 @@ namespace Tribody
                                   const std::string             &status,
                                   const std::string             &message)
     {
-      // What was reached before a failure is kept, as far as it goes.
-      if (status == "failed" && state.contacts.size() == bushings.size() &&
-          state.counts.rate_evaluations > 0)
-        recorder.record_fields(state, bushings);
-
       Output::RunSummary summary =
         make_run_summary(parameters, state, bushings);
       summary.status    = status;
@@ -165,6 +188,11 @@ namespace Tribody
               return stop_conditions.describe(reached);
             }
           recorder.record(state, bushings);
+          if (was_interrupted())
+            {
+              recorder.record_fields(state, bushings);
+              return "interrupted by a signal";
+            }
         }
       return "";
     }
@@ -185,9 +213,13 @@ namespace Tribody
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         {
-          state.totals[b].sliding_distance +=
-            (state.cycles - cycles_before) *
-            state.duty_cycle.joint(bushing.name()).sliding_distance();
+          const Multibody::JointDutyCycle &cycle =
+            state.duty_cycle.joint(bushing.name());
+          const double distance =
+            (state.cycles - cycles_before) * cycle.sliding_distance();
+          state.totals[b].sliding_distance += distance;
+          state.totals[b].force_over_sliding +=
+            distance * cycle.mean_normal_force();
           ++b;
         }
       ++state.counts.wear_steps;
@@ -230,8 +262,9 @@ namespace Tribody
     WearSimulation::estimate_error()
     {
       for (std::size_t b = 0; b < state.totals.size(); ++b)
+        // Absolute values: an oscillation must not cancel in the sum.
         state.totals[b].depth_error +=
-          jump->estimate_error(b, state.contacts[b].wear_rate);
+          jump->estimate_error(b, state.contacts[b].wear_rate).cwiseAbs();
     }
 
 
@@ -246,11 +279,20 @@ namespace Tribody
         clearances.emplace(bushing.name(), bushing.clearance_profile());
       state.duty_cycle = dynamics.run(clearances);
 
-      ++state.counts.dynamics_cycles;
+      const Multibody::SettlingReport &settling = state.duty_cycle.settling;
+      state.counts.dynamics_cycles += settling.n_cycles;
+      if (!settling.message.empty() && state.settling_message.empty())
+        {
+          std::ostringstream message;
+          message << "after " << state.cycles
+                  << " cycles: " << settling.message;
+          state.settling_message = message.str();
+          console.out() << "WARNING: dynamics " << state.settling_message << "."
+                        << std::endl;
+        }
       state.constraint_drift =
         std::max(state.constraint_drift, state.duty_cycle.constraint_drift);
-      state.all_settled =
-        state.all_settled && state.duty_cycle.settling.converged;
+      state.all_settled = state.all_settled && settling.converged;
       for (std::size_t j = 0; j < state.contact_losses.size(); ++j)
         state.contact_losses[j] += state.duty_cycle.joints[j].n_losses;
     }

@@ -68,7 +68,6 @@ namespace Tribody
                    plane_state(parameters.plane_state))
       , wear_profile(make_profile(geometry.bore_nodes()))
       , surface(wear_profile.surface())
-      , unworn_area(geometry.area())
     {
       update_compliance();
     }
@@ -229,7 +228,7 @@ namespace Tribody
     double
     WearingBushing::worn_volume() const
     {
-      return (unworn_area - geometry.area()) * parameters.axial_length;
+      return geometry.removed_area() * parameters.axial_length;
     }
 
 

@@ -12,6 +12,8 @@
 #include <tribody/geometry/worn_configuration.h>
 #include <tribody/surface/boundary_ids.h>
 
+#include <functional>
+#include <numeric>
 #include <sstream>
 
 namespace Tribody
@@ -70,6 +72,7 @@ namespace Tribody
         std::make_unique<dealii::MappingQEulerian<2>>(degree,
                                                       dof_handler,
                                                       mesh_displacement);
+      unworn_area_elements = area_elements();
       setup_extension();
     }
 
@@ -229,21 +232,44 @@ namespace Tribody
 
 
 
-    double
-    WornConfiguration::area() const
+    std::vector<double>
+    WornConfiguration::area_elements() const
     {
       dealii::FEValues<2> fe_values(*worn_mapping,
                                     fe,
                                     dealii::QGauss<2>(fe.degree + 1),
                                     dealii::update_JxW_values);
-      double              area = 0.;
+      std::vector<double> elements;
       for (const auto &cell : dof_handler.active_cell_iterators())
         {
           fe_values.reinit(cell);
-          for (const double JxW : fe_values.get_JxW_values())
-            area += JxW;
+          elements.insert(elements.end(),
+                          fe_values.get_JxW_values().begin(),
+                          fe_values.get_JxW_values().end());
         }
-      return area;
+      return elements;
+    }
+
+
+
+    double
+    WornConfiguration::area() const
+    {
+      const std::vector<double> elements = area_elements();
+      return std::accumulate(elements.begin(), elements.end(), 0.);
+    }
+
+
+
+    double
+    WornConfiguration::removed_area() const
+    {
+      return std::inner_product(unworn_area_elements.begin(),
+                                unworn_area_elements.end(),
+                                area_elements().begin(),
+                                0.,
+                                std::plus<>(),
+                                std::minus<>());
     }
   } // namespace Geometry
 } // namespace Tribody

@@ -1,9 +1,12 @@
 #include <deal.II/base/utilities.h>
 
+#include <boost/interprocess/exceptions.hpp>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/output/output_directory.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace Tribody
 {
@@ -13,9 +16,9 @@ namespace Tribody
 
     namespace
     {
-      // Written first by every run, so its presence tells our results from
-      // anything else that a user keeps in a directory.
-      constexpr const char *mark = "parameters.prm";
+      // Only a run writes it, so it tells our results from anything else that a
+      // user keeps in a directory.
+      constexpr const char *mark = ".tribody";
 
       bool
       has_content(const fs::path &directory)
@@ -37,12 +40,22 @@ namespace Tribody
                   ExcInput("The output directory '" + path +
                            "' contains files that no run of Tribody has "
                            "written. Choose another one with --output."));
+      AssertThrow(!fs::exists(path) ||
+                    !fs::equivalent(path, fs::current_path()),
+                  ExcInput("The output directory '" + path +
+                           "' is the current one, which cannot be moved aside. "
+                           "Choose another one with --output."));
+      AssertThrow(!has_content(path) || boost::interprocess::file_lock(
+                                          (fs::path(path) / mark).c_str())
+                                          .try_lock(),
+                  ExcInput("Another run is writing to the output directory '" +
+                           path + "'. Choose another one with --output."));
     }
 
 
 
     std::string
-    OutputDirectory::create() const
+    OutputDirectory::create()
     {
       std::string message;
       try
@@ -61,6 +74,15 @@ namespace Tribody
               message = "Earlier results moved to '" + aside + "'.";
             }
           fs::create_directories(directory);
+          std::ofstream(file(mark)) << "A run of Tribody writes here.\n";
+          lock = boost::interprocess::file_lock(file(mark).c_str());
+          lock.try_lock();
+        }
+      catch (const boost::interprocess::interprocess_exception &error)
+        {
+          AssertThrow(false,
+                      ExcRun("Cannot lock the output directory '" + directory +
+                             "': " + error.what() + "."));
         }
       catch (const fs::filesystem_error &error)
         {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 namespace Tribody
 {
@@ -31,12 +32,15 @@ namespace Tribody
                      {"max_wear_angle_deg", degrees(bushing.max_wear_angle)},
                      {"worn_volume_m3", bushing.worn_volume},
                      {"worn_mass_kg", bushing.worn_mass},
-                     {"crescent_closed_form",
-                      {{"max_wear_depth_m", bushing.crescent_max_wear_depth},
-                       {"worn_volume_m3", bushing.crescent_worn_volume}}},
-                     {"wear_rate_mesh_oscillation", bushing.mesh_oscillation},
-                     {"max_stable_wear_step_cycles",
-                      bushing.max_stable_wear_step}};
+                     {"wear_rate_mesh_oscillation", bushing.mesh_oscillation}};
+        if (bushing.crescent_max_wear_depth > 0.)
+          json["crescent_closed_form"] = {
+            {"normal_force_N", bushing.crescent_normal_force},
+            {"max_wear_depth_m", bushing.crescent_max_wear_depth},
+            {"worn_volume_m3", bushing.crescent_worn_volume}};
+        if (bushing.max_stable_wear_step > 0. &&
+            bushing.max_stable_wear_step < std::numeric_limits<double>::max())
+          json["max_stable_wear_step_cycles"] = bushing.max_stable_wear_step;
         if (!bushing.comparison.source.empty())
           json["comparison"] = {{"source", bushing.comparison.source},
                                 {"max_wear_depth_m",
@@ -53,7 +57,11 @@ namespace Tribody
         Json json = Json::object();
         if (joint.has_bushing)
           {
-            json["bushing"]         = bushing_to_json(joint.bushing);
+            json["bushing"] = bushing_to_json(joint.bushing);
+            // Rigid, and not worn in this version.
+            json["pin"]             = {{"max_wear_depth_m", 0.},
+                                       {"worn_volume_m3", 0.},
+                                       {"worn_mass_kg", 0.}};
             json["max_pressure_Pa"] = joint.bushing.max_pressure;
             json["contact_half_angle_deg"] =
               degrees(joint.bushing.contact_half_angle);
@@ -65,10 +73,10 @@ namespace Tribody
         if (joint.has_clearance)
           {
             json["mean_normal_force_N"] = joint.mean_normal_force;
+            json["sliding_per_cycle_m"] = joint.sliding_per_cycle;
             json["clearance_m"]         = joint.clearance;
             json["contact_losses"]      = joint.contact_losses;
           }
-        json["sliding_per_cycle_m"] = joint.sliding_per_cycle;
         return json;
       }
     } // namespace
@@ -102,15 +110,19 @@ namespace Tribody
         {"dynamics",
          {{"constraint_drift_m", summary.constraint_drift},
           {"settled", summary.all_settled},
+          {"message", summary.settling_message},
           {"settling_relative_difference", summary.settling_difference}}},
         {"error_estimate",
          {{"max_wear_depth_relative", summary.max_wear_depth_relative_error},
-          {"covers", "wear steps (explicit Euler)"}}}};
+          {"covers", "wear steps"}}}};
       for (const JointSummary &joint : summary.joints)
         json["joints"][joint.name] = joint_to_json(joint);
 
+      // Text from the parameter file may be in any encoding.
+      const std::string text =
+        json.dump(2, ' ', false, Json::error_handler_t::replace);
       std::ofstream file(file_name);
-      file << json.dump(2) << std::endl;
+      file << text << std::endl;
       AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
     }
   } // namespace Output

@@ -1,5 +1,6 @@
 #include <tribody/wear/wear_profile.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Tribody
@@ -67,17 +68,26 @@ namespace Tribody
     double
     mesh_oscillation(const Eigen::VectorXd &values)
     {
-      const Eigen::Index n       = values.size();
-      double             largest = 0.;
+      const Eigen::Index n = values.size();
+      const auto at = [&](const Eigen::Index i) { return values[(i + n) % n]; };
+      const auto is_inside = [&](const Eigen::Index i) {
+        const double before = std::max({at(i - 2), at(i - 1), at(i)});
+        const double after  = std::max({at(i), at(i + 1), at(i + 2)});
+        return before > 0. && after > 0.;
+      };
+
+      double largest = 0.;
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          const double a = values[(i + n - 2) % n], b = values[(i + n - 1) % n],
-                       c = values[i], d = values[(i + 1) % n],
-                       e = values[(i + 2) % n];
-          if (a > 0. && b > 0. && c > 0. && d > 0. && e > 0.)
+          bool all_inside = true;
+          for (Eigen::Index k = i - 2; k <= i + 2; ++k)
+            all_inside = all_inside && is_inside(k);
+          if (all_inside)
             largest =
               std::max(largest,
-                       std::abs(a - 4. * b + 6. * c - 4. * d + e) / 16.);
+                       std::abs(at(i - 2) - 4. * at(i - 1) + 6. * at(i) -
+                                4. * at(i + 1) + at(i + 2)) /
+                         16.);
         }
       const double scale = values.maxCoeff();
       return scale > 0. ? largest / scale : 0.;

@@ -117,7 +117,8 @@ main(int argc, char **argv)
       Console                  console(true);
       Coupling::CaseParameters parameters = Coupling::read_case(argv[1], {});
       Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-      simulation.run(Output::OutputDirectory(directory));
+      Output::OutputDirectory  output(directory);
+      simulation.run(output);
     }
   catch (const dealii::ExceptionBase &exception)
     {

@@ -23,7 +23,6 @@ struct Example
 {
   double                                  radius = 1e-3;
   unsigned int                            n      = 3;
-  bool                                    flag   = false;
   std::string                             choice = "one";
   std::map<std::string, dealii::Point<2>> markers;
 
@@ -33,7 +32,6 @@ struct Example
     prm.enter_subsection("Body crank");
     Parameters::add_quantity(prm, "Radius", radius, "m", "A radius.", "mm");
     Parameters::add_integer(prm, "Number", n, "A number.", 1, 10);
-    Parameters::add_flag(prm, "Flag", flag, "A flag.");
     Parameters::add_choice(prm, "Choice", choice, {"one", "two"}, "A word.");
     Parameters::add_named_points(prm, "Markers", markers, "m", "Points.");
     prm.leave_subsection();
@@ -52,8 +50,7 @@ read(const std::string &file, const std::vector<std::string> &overrides = {})
       parameters.apply(prm);
       std::cout << "radius " << example.radius * 1e3 << " mm at "
                 << parameters.location("Body crank/Radius") << ", number "
-                << example.n << ", flag " << example.flag << ", "
-                << example.choice << ", markers";
+                << example.n << ", " << example.choice << ", markers";
       for (const auto &[name, point] : example.markers)
         std::cout << ' ' << name << " (" << point << ")";
       std::cout << std::endl;
@@ -79,7 +76,7 @@ main()
   write("main.prm",
         "# a comment\ninclude included.prm\nsubsection Body   crank\n"
         "set Number = 5\nset Markers = A: 1 m, 2 m; \\\n  B: 0 m, 0 m\n"
-        "set Choice = two\nset Flag = yes\nend\n");
+        "set Choice = two\nend\n");
   read("main.prm");
   read("main.prm", {"Body crank/Radius=3 mm"});
 
@@ -89,7 +86,7 @@ main()
   body("set Number = 11");
   body("set Number = -1");
   body("set Choice = three");
-  body("set Flag = perhaps");
+  body("set\tNumber = 4");
   body("set Markers = A 1 m, 2 m");
   body("set Markers = A: 1 m");
   body("set Markers = A: 1 m, 2 m; A: 0 m, 0 m");

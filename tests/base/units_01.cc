@@ -62,6 +62,8 @@ main()
   refuse("1e999 m", "m");
   refuse("0.15 m", "");
   refuse("", "m");
+  refuse("9 .525 mm", "m");
+  refuse("9,525 mm", "m");
 
   // What is written reads back to a few roundings of the conversion.
   for (const double value : {9.535e-3, 1. / 3., 5.05e-13, -0.})

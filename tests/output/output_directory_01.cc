@@ -32,11 +32,12 @@ main()
   fs::remove_all("results");
   fs::remove_all("results.1");
   fs::remove_all("results.2");
+  fs::remove_all("results.3");
   fs::remove_all("mine");
 
   for (unsigned int run = 0; run < 3; ++run)
     {
-      const Output::OutputDirectory directory("results");
+      Output::OutputDirectory directory("results");
       std::cout << "exists before create: " << fs::exists("results")
                 << ", message: '" << directory.create() << "'" << std::endl;
       std::ofstream(directory.file("parameters.prm")) << run << std::endl;
@@ -59,11 +60,16 @@ main()
   std::ofstream("mine/thesis.tex") << "precious" << std::endl;
   look_at("mine");
   look_at("mine/thesis.tex");
+  // A parameter file of the user's is no sign of a run.
+  std::ofstream("mine/parameters.prm") << "set Cycles = 0" << std::endl;
+  look_at("mine");
+  look_at(".");
 
   // A parent that is a file: the disk refuses.
   try
     {
-      Output::OutputDirectory("mine/thesis.tex/results").create();
+      Output::OutputDirectory directory("mine/thesis.tex/results");
+      directory.create();
       std::cout << "CREATED" << std::endl;
     }
   catch (const ExcRun &exception)

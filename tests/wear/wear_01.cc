@@ -163,10 +163,17 @@ test_oscillation()
     values[i] = std::max(0., std::cos(M_PI * (i - 180) / 180.));
   std::cout << "smooth field, oscillation below 1e-6: "
             << (mesh_oscillation(values) < 1e-6);
-  for (int i = 120; i < 240; ++i)
-    values[i] += (i % 2 == 0 ? 0.01 : -0.01);
-  std::cout << "; with a sawtooth of 0.01: " << mesh_oscillation(values)
-            << std::endl;
+  for (const double amplitude : {0.01, 2.})
+    {
+      Eigen::VectorXd sawtooth = values;
+      // The larger one is cut off at zero, as a pressure is.
+      for (int i = 120; i < 240; ++i)
+        sawtooth[i] =
+          std::max(0., values[i] + (i % 2 == 0 ? amplitude : -amplitude));
+      std::cout << "; with a sawtooth of " << amplitude << ": "
+                << mesh_oscillation(sawtooth);
+    }
+  std::cout << std::endl;
 }
 
 int

@@ -3,6 +3,7 @@
 
 #include <boost/iostreams/filtering_stream.hpp>
 
+#include <sstream>
 #include <string>
 
 namespace Tribody
@@ -18,7 +19,8 @@ namespace Tribody
     /// @param is_first_rank whether this rank writes at all.
     explicit Console(const bool is_first_rank);
 
-    /// From now on write to @p file_name as well.
+    /// From now on write to @p file_name as well, which begins with what was
+    /// said before.
     /// @throws ExcRun if it cannot be written.
     void
     open_log(const std::string &file_name);
@@ -31,7 +33,9 @@ namespace Tribody
     }
 
   private:
-    bool                                writes;
+    bool writes;
+    /// For the beginning of the log.
+    std::ostringstream                  said_before_log;
     boost::iostreams::filtering_ostream stream;
   };
 } // namespace Tribody

@@ -50,6 +50,13 @@ namespace Tribody
     std::string
     value(const std::string &path, const std::string &default_value) const;
 
+    /// Whether the parameter @p path was given a value.
+    bool
+    is_set(const std::string &path) const
+    {
+      return find(path) != nullptr;
+    }
+
     /**
      * Where @p path was set last: "file.prm:12" or "--set". For a subsection,
      * where its first value is set; for what was set nowhere, the file with

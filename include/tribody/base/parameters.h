@@ -85,13 +85,6 @@ namespace Tribody
                 const std::string        &documentation,
                 const unsigned int        minimum,
                 const unsigned int        maximum);
-
-    /// yes or no.
-    void
-    add_flag(dealii::ParameterHandler &prm,
-             const std::string        &name,
-             bool                     &value,
-             const std::string        &documentation);
   } // namespace Parameters
 
   /// Split "a, b, c" into trimmed, non-empty names.

@@ -27,10 +27,10 @@ namespace Tribody
     public:
       /// Nothing is written before start(), and nothing at all unless
       /// @p is_first_rank.
-      RunRecorder(const CaseParameters          &parameters,
-                  const Output::OutputDirectory &directory,
-                  Console                       &console,
-                  const bool                     is_first_rank);
+      RunRecorder(const CaseParameters    &parameters,
+                  Output::OutputDirectory &directory,
+                  Console                 &console,
+                  const bool               is_first_rank);
 
       /// Make the output directory, open the log, write parameters.prm.
       void
@@ -75,10 +75,10 @@ namespace Tribody
       print_progress(const RunState                  &state,
                      const std::list<WearingBushing> &bushings);
 
-      const CaseParameters          &parameters;
-      const Output::OutputDirectory &directory;
-      Console                       &console;
-      bool                           writes;
+      const CaseParameters    &parameters;
+      Output::OutputDirectory &directory;
+      Console                 &console;
+      bool                     writes;
 
       std::unique_ptr<TableWriter> history;
       /// Fields written so far, and at which cycle the last were.

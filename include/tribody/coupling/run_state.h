@@ -5,6 +5,7 @@
 #include <tribody/multibody/duty_cycle.h>
 
 #include <deque>
+#include <string>
 #include <vector>
 
 namespace Tribody
@@ -19,6 +20,8 @@ namespace Tribody
       double removed_volume = 0.;
       /// Distance that the pin has slid [m].
       double sliding_distance = 0.;
+      /// Integral of the normal force over that distance [N m].
+      double force_over_sliding = 0.;
       /// Estimated error of the depth, left by the steps [m]; per bore node.
       Eigen::VectorXd depth_error;
     };
@@ -45,6 +48,8 @@ namespace Tribody
       std::vector<unsigned int> contact_losses;
       double                    constraint_drift = 0.;
       bool                      all_settled      = true;
+      /// What the first duty cycle that did not go as wished has to say.
+      std::string settling_message;
       /// Cycles up to which an explicit wear step is stable.
       double max_stable_step = 0.;
     };

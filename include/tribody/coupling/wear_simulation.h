@@ -14,6 +14,7 @@
 #include <tribody/output/output_directory.h>
 #include <tribody/output/summary.h>
 
+#include <exception>
 #include <list>
 #include <memory>
 #include <mpi.h>
@@ -50,7 +51,7 @@ namespace Tribody
        *   with the status "failed" are written first.
        */
       void
-      run(const Output::OutputDirectory &directory);
+      run(Output::OutputDirectory &directory);
 
     private:
       /// @return the stop condition that ended the run, or "".
@@ -80,6 +81,12 @@ namespace Tribody
 
       void
       warn_of_unstable_step();
+
+      /// After a failure: write what has been reached, as far as it goes.
+      void
+      keep_results(const Output::OutputDirectory &directory,
+                   RunRecorder                   &recorder,
+                   const std::exception          &exception);
 
       void
       write_summary(const Output::OutputDirectory &directory,

@@ -184,7 +184,6 @@ namespace Tribody
       BoreSurface     surface;
       Eigen::MatrixXd compliance;
       Eigen::VectorXd depth_at_compliance;
-      double          unworn_area;
       unsigned int    n_builds = 0;
     };
   } // namespace Coupling

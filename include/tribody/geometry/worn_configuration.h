@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace Tribody
 {
@@ -83,6 +84,11 @@ namespace Tribody
       Eigen::Matrix2Xd
       worn_positions() const;
 
+      /// Area that wear has removed [m^2], added up cell by cell: the
+      /// difference of two areas would drown little wear in rounding.
+      double
+      removed_area() const;
+
       /// Area of the worn ring [m^2], by quadrature over its cells.
       double
       area() const;
@@ -101,6 +107,10 @@ namespace Tribody
       }
 
     private:
+      /// Area that each quadrature point stands for [m^2].
+      std::vector<double>
+      area_elements() const;
+
       void
       setup_extension();
 
@@ -127,6 +137,7 @@ namespace Tribody
       /// What the mapping adds to the straight-sided cells: curvature + wear.
       dealii::Vector<double>                       mesh_displacement;
       std::unique_ptr<dealii::MappingQEulerian<2>> worn_mapping;
+      std::vector<double>                          unworn_area_elements;
     };
   } // namespace Geometry
 } // namespace Tribody

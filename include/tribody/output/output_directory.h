@@ -1,6 +1,8 @@
 #ifndef tribody_output_output_directory_h
 #define tribody_output_output_directory_h
 
+#include <boost/interprocess/sync/file_lock.hpp>
+
 #include <string>
 
 namespace Tribody
@@ -11,7 +13,8 @@ namespace Tribody
      * The directory that one run writes to. Results of different runs never
      * mix: what an earlier run of Tribody left there is moved aside as a whole
      * to "<name>.1", "<name>.2", ..., and a directory with anything else in it
-     * is refused.
+     * is refused. A hidden file, ".tribody", marks the directory of a run; it
+     * is locked while the run lasts, so that a second run is refused too.
      */
     class OutputDirectory
     {
@@ -19,7 +22,7 @@ namespace Tribody
       /**
        * Look, but do not touch: nothing changes on the disk before create().
        * @throws ExcInput if @p path is not empty and not the output of a run,
-       *   or is a file.
+       *   is being written by another run, or is a file.
        */
       explicit OutputDirectory(const std::string &path);
 
@@ -29,7 +32,7 @@ namespace Tribody
        * @throws ExcRun if the disk refuses.
        */
       std::string
-      create() const;
+      create();
 
       /// Path of the file @p name here.
       std::string
@@ -47,7 +50,8 @@ namespace Tribody
       }
 
     private:
-      std::string directory;
+      std::string                    directory;
+      boost::interprocess::file_lock lock;
     };
 
     /// "@p stem_0042.extension" for @p number 42.

@@ -22,17 +22,19 @@ namespace Tribody
     /// What a run says of one bushing; SI units, angles in the bushing's frame.
     struct BushingSummary
     {
-      double     max_wear_depth                = 0.;
-      double     max_wear_angle                = 0.; ///< [rad]
-      double     worn_volume                   = 0.;
-      double     worn_mass                     = 0.;
-      double     max_pressure                  = 0.;
-      double     contact_half_angle            = 0.; ///< [rad]
-      double     mesh_oscillation              = 0.; ///< of the wear rate [-]
-      double     volume_balance_relative_error = 0.;
-      double     crescent_max_wear_depth       = 0.;
-      double     crescent_worn_volume          = 0.;
-      double     max_stable_wear_step          = 0.; ///< [cycles]
+      double max_wear_depth                = 0.;
+      double max_wear_angle                = 0.; ///< [rad]
+      double worn_volume                   = 0.;
+      double worn_mass                     = 0.;
+      double max_pressure                  = 0.;
+      double contact_half_angle            = 0.; ///< [rad]
+      double mesh_oscillation              = 0.; ///< of the wear rate [-]
+      double volume_balance_relative_error = 0.;
+      /// The closed form, where it applies; else zero.
+      double     crescent_normal_force   = 0.;
+      double     crescent_max_wear_depth = 0.;
+      double     crescent_worn_volume    = 0.;
+      double     max_stable_wear_step    = 0.; ///< [cycles]
       Comparison comparison;
     };
 
@@ -80,6 +82,8 @@ namespace Tribody
       /// How well the last duty cycle repeats [-], and whether all settled.
       double settling_difference = 0.;
       bool   all_settled         = true;
+      /// What the first one that did not has to say.
+      std::string settling_message;
     };
 
     /// @throws ExcRun if the file cannot be written.
