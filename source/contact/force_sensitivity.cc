@@ -9,18 +9,31 @@ namespace Tribody
 {
   namespace Contact
   {
+    ForceSensitivity::ForceSensitivity(const Eigen::Matrix2Xd &positions,
+                                       const Eigen::MatrixXd  &compliance,
+                                       const double            pin_radius)
+      : positions(positions)
+      , compliance(compliance)
+      , pin_radius(pin_radius)
+    {}
+
+
+
     void
-    add_force_sensitivity(const ContactSolution  &solution,
-                          const Eigen::Matrix2Xd &positions,
-                          const Eigen::MatrixXd  &compliance,
-                          const double            pin_radius,
-                          const double            factor,
-                          Eigen::MatrixXd        &sum)
+    ForceSensitivity::add_to(Eigen::MatrixXd       &sum,
+                             const ContactSolution &solution,
+                             const double           factor)
     {
       const ActiveSet   &active = solution.active_set;
       const Eigen::Index n      = active.size();
       if (n == 0)
         return;
+      if (active != active_set)
+        {
+          active_set = active;
+          inverse    = Eigen::LLT<Eigen::MatrixXd>(compliance(active, active))
+                      .solve(Eigen::MatrixXd::Identity(n, n));
+        }
 
       const PinGap     pin(positions, solution.pin_centre, pin_radius);
       Eigen::MatrixX2d directions(n, 2);
@@ -34,16 +47,12 @@ namespace Tribody
                        (Eigen::Matrix2d::Identity() - m * m.transpose());
         }
 
-      const Eigen::LLT<Eigen::MatrixXd> factored(compliance(active, active));
-      const Eigen::MatrixX2d            y         = factored.solve(directions);
-      const Eigen::Matrix2d             stiffness = directions.transpose() * y;
-      const Eigen::Matrix2d             inverse =
+      const Eigen::MatrixX2d y         = inverse * directions;
+      const Eigen::Matrix2d  stiffness = directions.transpose() * y;
+      const Eigen::Matrix2d  balance =
         n == 1 ? invert_pin_stiffness(stiffness, n)
-                           : Eigen::Matrix2d((stiffness + geometric).inverse());
-      const Eigen::MatrixXd sensitivity =
-        y * inverse * y.transpose() -
-        factored.solve(Eigen::MatrixXd::Identity(n, n));
-      sum(active, active) += factor * sensitivity;
+                : Eigen::Matrix2d((stiffness + geometric).inverse());
+      sum(active, active) += factor * (y * balance * y.transpose() - inverse);
     }
   } // namespace Contact
 } // namespace Tribody

@@ -245,6 +245,36 @@ namespace Tribody
 
 
 
+      // A bushing is that of a joint which can press on it.
+      void
+      check_bushing_joints(const CaseParameters &parameters)
+      {
+        for (const BushingParameters &bushing : parameters.bushings)
+          {
+            const auto &joints = parameters.mechanism.joints;
+            const auto  joint =
+              std::find_if(joints.begin(),
+                           joints.end(),
+                           [&bushing](const auto &j) {
+                             return j.name == bushing.name && j.is_revolute();
+                           });
+            AssertThrow(joint != joints.end(),
+                        ExcParameter("Bushings",
+                                     "'" + bushing.name +
+                                       "' is not the name of a revolute "
+                                       "joint"));
+            AssertThrow(parameters.cycles == 0 || joint->has_clearance(),
+                        ExcParameter("Joint " + joint->name + "/Model",
+                                     "'" + joint->model +
+                                       "' knows no contact, so the bushing "
+                                       "cannot wear; write 'clearance', or "
+                                       "'set Cycles = 0' for the dynamics "
+                                       "alone"));
+          }
+      }
+
+
+
       // Values that belong to the case and that nobody can guess: a default
       // would be a silent invention.
       void
@@ -304,28 +334,7 @@ namespace Tribody
         parameters.mechanism.check();
 
         for (const BushingParameters &bushing : parameters.bushings)
-          {
-            const auto &joints = parameters.mechanism.joints;
-            const auto  joint =
-              std::find_if(joints.begin(),
-                           joints.end(),
-                           [&bushing](const auto &j) {
-                             return j.name == bushing.name && j.is_revolute();
-                           });
-            AssertThrow(joint != joints.end(),
-                        ExcParameter("Bushings",
-                                     "'" + bushing.name +
-                                       "' is not the name of a revolute "
-                                       "joint"));
-            AssertThrow(parameters.cycles == 0 || joint->has_clearance(),
-                        ExcParameter("Joint " + joint->name + "/Model",
-                                     "'" + joint->model +
-                                       "' knows no contact, so the bushing "
-                                       "cannot wear; write 'clearance', or "
-                                       "'set Cycles = 0' for the dynamics "
-                                       "alone"));
-            bushing.check(joint->bushing_radius);
-          }
+          bushing.check(parameters.joint(bushing.name).bushing_radius);
 
         AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),
                     ExcParameter("Cycles",
@@ -437,6 +446,7 @@ namespace Tribody
 
       try
         {
+          check_bushing_joints(parameters);
           check_required(file, parameters);
           resolve_materials(parameters);
           check(parameters);

@@ -11,7 +11,9 @@
 #include <tribody/wear/archard_law.h>
 #include <tribody/wear/constant_extrapolation.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Tribody
 {
@@ -160,16 +162,25 @@ namespace Tribody
     WearingBushing::compute_wear_rate_jacobian(
       const CycleContact &contact) const
     {
-      const Eigen::Index n        = contact.surface.n_nodes();
-      Eigen::MatrixXd    jacobian = Eigen::MatrixXd::Zero(n, n);
-      for (std::size_t j = 0; j < contact.samples.size(); ++j)
-        Contact::add_force_sensitivity(contact.samples[j],
-                                       contact.surface.positions,
-                                       compliance,
-                                       joint.pin_radius,
-                                       parameters.wear_coefficient *
-                                         contact.sliding_increments[j],
-                                       jacobian);
+      const Eigen::Index        n        = contact.surface.n_nodes();
+      Eigen::MatrixXd           jacobian = Eigen::MatrixXd::Zero(n, n);
+      Contact::ForceSensitivity sensitivity(contact.surface.positions,
+                                            compliance,
+                                            joint.pin_radius);
+      // Samples with the same nodes in contact one after the other.
+      std::vector<std::size_t> order(contact.samples.size());
+      std::iota(order.begin(), order.end(), 0U);
+      std::stable_sort(order.begin(),
+                       order.end(),
+                       [&](const std::size_t a, const std::size_t b) {
+                         return contact.samples[a].active_set <
+                                contact.samples[b].active_set;
+                       });
+      for (const std::size_t j : order)
+        sensitivity.add_to(jacobian,
+                           contact.samples[j],
+                           parameters.wear_coefficient *
+                             contact.sliding_increments[j]);
       const Eigen::VectorXd area_derivative =
         wear_profile.area_derivative(contact.surface);
       return area_derivative.cwiseInverse().asDiagonal() * jacobian;

@@ -13,9 +13,12 @@
 // same for all directions of force through a node; Newton's iteration, the
 // fall-back programme, cold and warm starts find the same; zero force is no
 // contact; a force that squeezes nothing presses on two nodes with the pin in
-// the corner between them; too large a force is reported, not thrown.
+// the corner between them; too large a force is reported, not thrown; the
+// sensitivity of the nodal forces is their derivative, to the error of central
+// differences that keep the active set.
 
 #include <tribody/contact/contact_solver.h>
+#include <tribody/contact/force_sensitivity.h>
 #include <tribody/contact/pin_gap.h>
 
 #include <cmath>
@@ -251,6 +254,45 @@ check_reading()
     }
 }
 
+// The bore is moved along its radii: the gaps change by as much, to the cosine
+// between radius and gap gradient (1e-5 off here), and so do the forces.
+void
+test_sensitivity(const Eigen::MatrixXd &C)
+{
+  const double          step = 1e-10;
+  const Eigen::Vector2d force(8000., 3000.);
+  const auto            solve = [&](const double moved) {
+    Eigen::Matrix2Xd positions = make_bore(0.).positions;
+    for (Eigen::Index i = 0; i < n_nodes; ++i)
+      positions.col(i) *=
+        1. + moved * std::sin(0.1 * i) / positions.col(i).norm();
+    ContactSolver solver(make_bore_surface(positions, 1), C, pin_radius);
+    return solver.solve_force_controlled(force);
+  };
+  const ContactSolution plus = solve(step), minus = solve(-step),
+                        middle = solve(0.);
+
+  Eigen::MatrixXd        sensitivity = Eigen::MatrixXd::Zero(n_nodes, n_nodes);
+  const Eigen::Matrix2Xd positions   = make_bore(0.).positions;
+  ForceSensitivity(positions, C, pin_radius).add_to(sensitivity, middle, 1.);
+  Eigen::VectorXd gap_change(n_nodes);
+  for (Eigen::Index i = 0; i < n_nodes; ++i)
+    gap_change[i] = std::sin(0.1 * i);
+
+  const Eigen::VectorXd difference =
+    (plus.nodal_force - minus.nodal_force) / (2. * step);
+  const Eigen::VectorXd predicted = sensitivity * gap_change;
+  std::cout << "sensitivity: same active set "
+            << (plus.active_set == minus.active_set) << ", right to 1e-3: "
+            << ((predicted - difference).norm() < 1e-3 * difference.norm())
+            << ", symmetric: "
+            << ((sensitivity - sensitivity.transpose()).norm() <
+                1e-10 * sensitivity.norm())
+            << std::endl;
+}
+
+
+
 int
 main()
 {
@@ -264,4 +306,5 @@ main()
     }
   check_extremes();
   check_reading();
+  test_sensitivity(make_compliance());
 }

@@ -10,9 +10,9 @@ namespace Tribody
   namespace Contact
   {
     /**
-     * Add to @p sum @p factor times the derivative of the nodal forces with
-     * respect to the gaps @f$g^0@f$ of the undeformed bore, under a constant
-     * force on the pin. On the nodes in contact it is @f$ -S @f$,
+     * The derivative of the nodal forces with respect to the gaps
+     * @f$g^0@f$ of the undeformed bore, under a constant force on the pin. On
+     * the nodes in contact it is @f$ -S @f$,
      * @f[ S = C_A^{-1} - y\,(m_A^T y + H)^{-1} y^T, \qquad
      *     y = C_A^{-1} m_A, \qquad
      *     H = -\sum_i \lambda_i \frac{I - m_i m_i^T}{|x_i - e|}, @f]
@@ -20,17 +20,34 @@ namespace Tribody
      * of the gaps. S is symmetric and, with the pin held by the force alone,
      * positive semi-definite.
      *
-     * @param positions of the undeformed bore nodes [m].
-     * @param compliance C [m per N/m].
-     * @param sum square, one row per bore node.
+     * The object keeps the inverse of the last active set: solutions with the
+     * same one should follow each other.
      */
-    void
-    add_force_sensitivity(const ContactSolution  &solution,
-                          const Eigen::Matrix2Xd &positions,
-                          const Eigen::MatrixXd  &compliance,
-                          const double            pin_radius,
-                          const double            factor,
-                          Eigen::MatrixXd        &sum);
+    class ForceSensitivity
+    {
+    public:
+      /**
+       * @param positions of the undeformed bore nodes [m].
+       * @param compliance C [m per N/m].
+       * Both must outlive this object.
+       */
+      ForceSensitivity(const Eigen::Matrix2Xd &positions,
+                       const Eigen::MatrixXd  &compliance,
+                       const double            pin_radius);
+
+      /// Add @p factor times the derivative to @p sum (one row per bore node).
+      void
+      add_to(Eigen::MatrixXd       &sum,
+             const ContactSolution &solution,
+             const double           factor);
+
+    private:
+      const Eigen::Matrix2Xd &positions;
+      const Eigen::MatrixXd  &compliance;
+      double                  pin_radius;
+      ActiveSet               active_set;
+      Eigen::MatrixXd         inverse;
+    };
   } // namespace Contact
 } // namespace Tribody
 

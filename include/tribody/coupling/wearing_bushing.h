@@ -93,7 +93,7 @@ namespace Tribody
       /**
        * How the wear rate changes with the depth, dW/dh [per cycle]: minus the
        * sum over the samples of @f$ k\,\Delta s\,D^{-1} S @f$, with D the
-       * derivative of the bore's area and S of add_force_sensitivity(). What
+       * derivative of the bore's area and S of Contact::ForceSensitivity. What
        * the wear does to D, and what it does to the dynamics, is left out.
        */
       Eigen::MatrixXd

@@ -1,0 +1,153 @@
+// Implicit cycle jumps against a closed form: dh/dN = -A (h - b N) with a stiff
+// matrix A (eigenvalues 1e-4 to 1, symmetric), whose solution from h = 0 is
+// h = b N - A^-1 b (1 - exp(-A N)). The error stays below the tolerance and
+// falls with it, with few steps where explicit ones would need thousands, and
+// an event (the largest depth passes a limit) is found where the closed form
+// has it. An exception in a function of the equation comes through.
+
+#include <Eigen/Dense>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/wear/implicit_extrapolation.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace Tribody;
+using namespace Tribody::Wear;
+
+namespace
+{
+  constexpr Eigen::Index n = 8;
+
+  // Symmetric, with the given eigenvalues and the eigenvectors of a cosine
+  // transform.
+  struct Problem
+  {
+    Eigen::VectorXd eigenvalues{n};
+    Eigen::MatrixXd vectors{n, n};
+    Eigen::VectorXd load{n};
+
+    Problem()
+    {
+      for (Eigen::Index i = 0; i < n; ++i)
+        {
+          eigenvalues[i] = std::pow(10., -4. + 4. * i / (n - 1));
+          load[i]        = 1e-9 * (1. + 0.1 * i);
+          for (Eigen::Index j = 0; j < n; ++j)
+            vectors(j, i) = std::sqrt((i == 0 ? 1. : 2.) / n) *
+                            std::cos(M_PI * i * (j + 0.5) / n);
+        }
+    }
+
+    Eigen::MatrixXd
+    matrix() const
+    {
+      return vectors * eigenvalues.asDiagonal() * vectors.transpose();
+    }
+
+    Eigen::VectorXd
+    depth(const double cycles) const
+    {
+      Eigen::VectorXd modes = vectors.transpose() * load;
+      for (Eigen::Index i = 0; i < n; ++i)
+        modes[i] *=
+          cycles + std::expm1(-eigenvalues[i] * cycles) / eigenvalues[i];
+      return vectors * modes;
+    }
+  };
+
+
+
+  // The last entry of y is the number of cycles, left out of the error test.
+  WearEquation
+  make_equation(const Problem &problem, const double limit)
+  {
+    return {[&problem](const Eigen::VectorXd &y) {
+              Eigen::VectorXd rate(n + 1);
+              rate << -problem.matrix() * (y.head(n) - y[n] * problem.load), 1.;
+              return rate;
+            },
+            [&problem]() {
+              Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n + 1, n + 1);
+              jacobian.topLeftCorner(n, n) = -problem.matrix();
+              jacobian.col(n).head(n)      = problem.matrix() * problem.load;
+              return jacobian;
+            },
+            [limit](const Eigen::VectorXd &y) {
+              return Eigen::VectorXd(
+                Eigen::VectorXd::Constant(1,
+                                          y.head(n).maxCoeff() / limit - 1.));
+            },
+            1};
+  }
+} // namespace
+
+int
+main()
+{
+  const Problem problem;
+  const double  end = 20000.;
+
+  double previous_error = 1.;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4})
+    {
+      ImplicitSettings settings;
+      settings.tolerance = tolerance;
+      settings.n_depths  = n;
+      ImplicitExtrapolation integrator(make_equation(problem, 1.), settings);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1));
+      unsigned int n_steps = 0;
+      while (integrator.cycles() < end)
+        {
+          integrator.step(end);
+          ++n_steps;
+        }
+      const Eigen::VectorXd exact = problem.depth(end);
+      const double          error =
+        (integrator.state().head(n) - exact).lpNorm<Eigen::Infinity>() /
+        exact.maxCoeff();
+      std::cout << "tolerance " << tolerance
+                << ": ends at the cycle asked for: "
+                << (integrator.cycles() == end)
+                << ", error below it: " << (error < tolerance)
+                << ", smaller than before: " << (error < previous_error)
+                << ", steps below 100: " << (n_steps < 100) << std::endl;
+      previous_error = error;
+    }
+
+  // Stop where the largest depth passes the value that the closed form has at
+  // 5000 cycles.
+  {
+    ImplicitSettings settings;
+    settings.tolerance          = 1e-4;
+    settings.n_depths           = n;
+    const double          limit = problem.depth(5000.).maxCoeff();
+    ImplicitExtrapolation integrator(make_equation(problem, limit), settings);
+    integrator.start(0., Eigen::VectorXd::Zero(n + 1));
+    bool stopped = false;
+    while (!stopped && integrator.cycles() < end)
+      stopped = integrator.step(end);
+    std::cout << "event found: " << stopped << ", within 1e-3 of its place: "
+              << (std::abs(integrator.cycles() / 5000. - 1.) < 1e-3)
+              << std::endl;
+  }
+
+  WearEquation broken = make_equation(problem, 1.);
+  broken.rate         = [](const Eigen::VectorXd &) -> Eigen::VectorXd {
+    throw ExcRun("no rate today");
+  };
+  try
+    {
+      ImplicitSettings settings;
+      settings.n_depths = n;
+      ImplicitExtrapolation integrator(broken, settings);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1));
+      integrator.step(end);
+      std::cout << "NO EXCEPTION" << std::endl;
+    }
+  catch (const ExcRun &exception)
+    {
+      std::cout << message_of(exception) << std::endl;
+    }
+}
