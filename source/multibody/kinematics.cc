@@ -37,22 +37,22 @@ namespace Tribody
 
 
 
-      // How far the equations of a constraint are from zero, for messages.
+      // How far the equations of a constraint are from zero, for messages: of
+      // a translational joint, what is worse of its gap and its angle.
       std::string
-      describe_gap(const Constraint &constraint, const Eigen::VectorXd &phi)
+      describe_gap(const Constraint      &constraint,
+                   const Eigen::VectorXd &phi,
+                   const double           size)
       {
-        std::string result;
-        double      length = 0.;
+        double length = 0., angle = 0.;
         for (unsigned int i = 0; i < constraint.n_equations; ++i)
           if (constraint.is_angle(i))
-            result += (result.empty() ? "" : " and ") +
-                      ("an angle of " + degrees(std::abs(phi(i))));
+            angle = std::abs(phi(i));
           else
             length = std::hypot(length, phi(i));
-        if (length > 0)
-          result = "a gap of " + significant_digits(1e3 * length) + " mm" +
-                   (result.empty() ? "" : " and ") + result;
-        return result;
+        return angle * size > length
+                 ? "an angle of " + degrees(angle)
+                 : "a gap of " + significant_digits(1e3 * length) + " mm";
       }
 
 
@@ -248,7 +248,8 @@ namespace Tribody
                      "cannot be closed: " +
                        describe_gap(constraint,
                                     phi.segment(worst->first_row,
-                                                constraint.n_equations)) +
+                                                constraint.n_equations),
+                                    mechanism.size()) +
                        " remains. Are the markers right, are the bodies' "
                        "initial positions and angles near a configuration "
                        "that exists" +

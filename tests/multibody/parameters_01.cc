@@ -136,7 +136,13 @@ expect_simulation_error(const MechanismParameters &p)
     }
   catch (const ExcParameter &error)
     {
-      std::cout << error.path << ": " << error.problem << std::endl;
+      // Where Newton's method does not converge, what it leaves is a matter of
+      // rounding.
+      const std::string::size_type hint = error.problem.find("Are the markers");
+      if (hint == std::string::npos)
+        std::cout << error.path << ": " << error.problem << std::endl;
+      else
+        std::cout << error.problem.substr(hint) << std::endl;
     }
 }
 
