@@ -1,5 +1,6 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
 #include <tribody/multibody/body_parameters.h>
 
 namespace Tribody
@@ -68,12 +69,13 @@ namespace Tribody
                                "not move; choose another one"));
       AssertThrow(mass > 0,
                   ExcParameter(path + "/Mass",
-                               "is " + std::to_string(mass) +
-                                 " kg but must be positive"));
+                               "must be positive, not " +
+                                 Units::to_string(mass, "kg", "kg")));
       AssertThrow(moment_of_inertia > 0,
-                  ExcParameter(path + "/Moment of inertia",
-                               "is " + std::to_string(moment_of_inertia) +
-                                 " kg m^2 but must be positive"));
+                  ExcParameter(
+                    path + "/Moment of inertia",
+                    "must be positive, not " +
+                      Units::to_string(moment_of_inertia, "kg m^2", "kg m^2")));
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -49,12 +49,13 @@ namespace Tribody
 
       const Eigen::Vector2d e_t = v.head<2>() + v(2) * perpendicular(a1) -
                                   v.segment<2>(3) - v(5) * perpendicular(a2);
-      contact.swing_speed = t.dot(e_t) - v(5) * r;
-      contact.sliding_speed =
-        t.dot(e_t) + pin_radius * v(2) - bushing_radius * v(5);
-
       const ClearanceProfile::Values c =
         clearance.evaluate(contact.angle_in_bushing);
+      contact.bushing_arm = pin_radius + c.clearance;
+      contact.swing_speed = t.dot(e_t) - v(5) * r;
+      contact.sliding_speed =
+        t.dot(e_t) + pin_radius * v(2) - contact.bushing_arm * v(5);
+
       contact.penetration      = r - c.clearance;
       contact.penetration_rate = n.dot(e_t);
       if (r > smallest_eccentricity)
@@ -97,10 +98,11 @@ namespace Tribody
       const Eigen::Vector2d b = contact.force();
       PairVector            result;
       // Of the moment of b at the contact point p + R n, the part of R n is R
-      // times the tangential force.
+      // times the tangential force; on a worn bore R + c takes R_j's place.
       result << -b,
         -perpendicular(a1).dot(b) - pin_radius * contact.tangential_force, b,
-        perpendicular(a2).dot(b) + bushing_radius * contact.tangential_force;
+        perpendicular(a2).dot(b) +
+          contact.bushing_arm * contact.tangential_force;
       return result;
     }
 
@@ -148,11 +150,12 @@ namespace Tribody
       const Row D_e_t_normal = n.transpose() * D_e_t + e_t_tangential * D_psi;
       const Row D_e_t_tangential = t.transpose() * D_e_t - e_t_normal * D_psi;
       const Row D_swing   = D_e_t_tangential - v_2 * D_r - r * unit(omega_2);
+      const Row D_arm     = c.first_derivative * D_theta;
       const Row D_sliding = D_e_t_tangential + pin_radius * unit(omega_1) -
-                            bushing_radius * unit(omega_2);
+                            contact.bushing_arm * unit(omega_2) - v_2 * D_arm;
       const Row D_theta_t = (D_swing - theta_t * D_r) / r;
 
-      const Row D_delta   = D_r - c.first_derivative * D_theta;
+      const Row D_delta   = D_r - D_arm;
       const Row D_delta_t = D_e_t_normal -
                             c.second_derivative * theta_t * D_theta -
                             c.first_derivative * D_theta_t;
@@ -178,8 +181,9 @@ namespace Tribody
       D_force.row(2)       = -perpendicular(a1).transpose() * D_b +
                        a1.dot(b) * unit(phi_1) - pin_radius * D_tangential;
       D_force.middleRows<2>(3) = D_b;
-      D_force.row(5)           = perpendicular(a2).transpose() * D_b -
-                       a2.dot(b) * unit(phi_2) + bushing_radius * D_tangential;
+      D_force.row(5) =
+        perpendicular(a2).transpose() * D_b - a2.dot(b) * unit(phi_2) +
+        contact.bushing_arm * D_tangential + contact.tangential_force * D_arm;
 
       return {compute_force(q, contact),
               D_force.leftCols<6>(),

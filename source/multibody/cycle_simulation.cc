@@ -4,6 +4,7 @@
 #include <tribody/multibody/duty_cycle.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/motion_integrator.h>
+#include <tribody/multibody/significant_digits.h>
 #include <tribody/multibody/slow_motion_start.h>
 
 #include <algorithm>
@@ -26,8 +27,10 @@ namespace Tribody
                                          nominal_clearances(mechanism)),
                        q);
       if (!mechanism.clearance_joints().empty() &&
-          closed_mechanism.n_degrees_of_freedom() == 0)
+          closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
+      if (closed_mechanism.n_degrees_of_freedom() == 0)
+        check_full_cycle(closed_equations, 2 * parameters.samples_per_cycle);
       scales = compute_reference_scales(mechanism, closed_equations);
     }
 
@@ -39,8 +42,11 @@ namespace Tribody
     {
       const EquationsOfMotion equations(mechanism,
                                         collect_clearances(clearances));
-      return mechanism.n_degrees_of_freedom() == 0 ? run_kinematics(equations)
-                                                   : run_dynamics(equations);
+      // A joint with clearance that adds to a mechanism without degrees of
+      // freedom does not get here: it is redundant.
+      const bool is_kinematic = mechanism.n_degrees_of_freedom() == 0 &&
+                                mechanism.clearance_joints().empty();
+      return is_kinematic ? run_kinematics(equations) : run_dynamics(equations);
     }
 
 
@@ -101,18 +107,37 @@ namespace Tribody
     StartingState
     CycleSimulation::compute_start(const EquationsOfMotion &equations) const
     {
-      if (parameters.start == "slow motion" &&
-          closed_mechanism.n_degrees_of_freedom() == 0)
-        return compute_slow_motion_start(equations,
-                                         closed_equations,
-                                         0.,
-                                         period / 360);
       StartingState start = compute_centred_start(closed_equations, 0.);
-      if (parameters.start == "slow motion" &&
-          !mechanism.clearance_joints().empty())
-        start.report.message =
-          "with free degrees of freedom there is no start in slow motion; the "
-          "pins began in the middle of their bushings";
+      if (parameters.start == "centred" || mechanism.clearance_joints().empty())
+        return start;
+      if (closed_mechanism.n_degrees_of_freedom() != 0)
+        {
+          start.report.message =
+            "with free degrees of freedom there is no start in slow motion; "
+            "the pins began in the middle of their bushings";
+          return start;
+        }
+      std::string reason;
+      try
+        {
+          StartingState slow = compute_slow_motion_start(equations,
+                                                         closed_equations,
+                                                         0.,
+                                                         period / 360);
+          if (slow.report.converged)
+            return slow;
+          reason = slow.report.message;
+        }
+      catch (const ExcRun &error)
+        {
+          // The ideal mechanism moves, as the constructor has seen: it is the
+          // offsets of the pins that have grown too large.
+          reason = message_of(error);
+        }
+      start.report.message =
+        "no start in slow motion was found, so that the pins began in the "
+        "middle of their bushings (" +
+        reason + ")";
       return start;
     }
 
@@ -132,7 +157,7 @@ namespace Tribody
           const double t = std::max(0., begins + k * period / (2 * n));
           recorder.record(k,
                           integrator.advance_to(
-                            t, parameters.maximum_steps_per_cycle - n_taken));
+                            t, parameters.maximum_steps_per_cycle, n_taken));
           n_taken = integrator.statistics().n_steps - n_steps;
         }
       return n_taken;
@@ -186,11 +211,12 @@ namespace Tribody
       SettlingReport settling = settle(integrator, recorder, n_steps_in_cycle);
       settling.message        = start.report.message;
       if (!settling.converged)
-        settling.message += std::string(settling.message.empty() ? "" : "; ") +
-                            "the joint forces still changed by " +
-                            std::to_string(100 * settling.repeat_difference) +
-                            " % of the largest one from cycle to cycle after " +
-                            std::to_string(settling.n_cycles) + " cycles";
+        settling.message +=
+          std::string(settling.message.empty() ? "" : "; ") +
+          "the joint forces still changed by " +
+          significant_digits(100 * settling.repeat_difference) +
+          " % of the largest one from cycle to cycle after " +
+          std::to_string(settling.n_cycles) + " cycles";
 
       DutyCycle cycle        = recorder.make_duty_cycle(integrator.events());
       cycle.settling         = settling;

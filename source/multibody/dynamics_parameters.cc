@@ -1,5 +1,6 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
 #include <tribody/multibody/dynamics_parameters.h>
 
 namespace Tribody
@@ -64,9 +65,9 @@ namespace Tribody
         {"slow motion", "centred"},
         "How a mechanism with clearance joints starts. 'slow motion': with "
         "every pin touching its bushing, such that contact and friction "
-        "forces balance the motion without vibration. 'centred': with every "
-        "pin in the middle of its bushing, so that the first contact is an "
-        "impact.");
+        "forces balance the motion without vibration; where no such start is "
+        "found, as 'centred', which is reported. 'centred': with every pin in "
+        "the middle of its bushing, so that the first contact is an impact.");
     }
 
 
@@ -76,12 +77,12 @@ namespace Tribody
     {
       AssertThrow(accuracy > 1e-12 && accuracy <= 0.1,
                   ExcParameter("Dynamics/Accuracy",
-                               "is " + std::to_string(accuracy) +
-                                 " but must be between 1e-12 and 0.1"));
+                               "must be between 1e-12 and 0.1, not " +
+                                 Units::to_string(accuracy, "", "")));
       AssertThrow(settling_tolerance > 0,
                   ExcParameter("Dynamics/Settling tolerance",
-                               "is " + std::to_string(settling_tolerance) +
-                                 " but must be positive"));
+                               "must be positive, not " +
+                                 Units::to_string(settling_tolerance, "", "")));
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -149,28 +149,26 @@ namespace Tribody
       {
         AssertThrow(p.pin_radius > 0,
                     ExcParameter(path + "/Pin radius",
-                                 "is " +
-                                   Units::to_string(p.pin_radius, "m", "mm") +
-                                   " but must be positive"));
+                                 "must be positive, not " +
+                                   Units::to_string(p.pin_radius, "m", "mm")));
         AssertThrow(
           p.bushing_radius >= p.pin_radius,
           ExcParameter(path + "/Pin radius",
-                       "is " + Units::to_string(p.pin_radius, "m", "mm") +
-                         " but the bushing's radius is only " +
-                         Units::to_string(p.bushing_radius, "m", "mm")));
-        AssertThrow(p.restitution_coefficient > 0 &&
-                      p.restitution_coefficient <= 1,
-                    ExcParameter(path + "/Restitution coefficient",
-                                 "is " +
-                                   std::to_string(p.restitution_coefficient) +
-                                   " but must be above 0 and at most 1"));
+                       "must be at most the bushing's radius of " +
+                         Units::to_string(p.bushing_radius, "m", "mm") +
+                         ", not " + Units::to_string(p.pin_radius, "m", "mm")));
+        AssertThrow(
+          p.restitution_coefficient > 0 && p.restitution_coefficient <= 1,
+          ExcParameter(path + "/Restitution coefficient",
+                       "must be above 0 and at most 1, not " +
+                         Units::to_string(p.restitution_coefficient, "", "")));
         const auto check_positive = [&](const std::string &entry,
                                         const double       value,
                                         const std::string &unit) {
           AssertThrow(value > 0,
                       ExcParameter(path + "/" + entry,
-                                   "is " + Units::to_string(value, unit, unit) +
-                                     " but must be positive"));
+                                   "must be positive, not " +
+                                     Units::to_string(value, unit, unit)));
         };
         check_positive("Minimum approach speed",
                        p.minimum_approach_speed,
@@ -179,14 +177,15 @@ namespace Tribody
                        p.friction_regularisation_speed,
                        "m/s");
         const auto check_not_negative = [&](const std::string &entry,
-                                            const double       value) {
+                                            const double       value,
+                                            const std::string &unit) {
           AssertThrow(value >= 0,
                       ExcParameter(path + "/" + entry,
-                                   "is " + std::to_string(value) +
-                                     " but must not be negative"));
+                                   "must be zero or positive, not " +
+                                     Units::to_string(value, unit, unit)));
         };
-        check_not_negative("Friction coefficient", p.friction_coefficient);
-        check_not_negative("Tangential damping", p.tangential_damping);
+        check_not_negative("Friction coefficient", p.friction_coefficient, "");
+        check_not_negative("Tangential damping", p.tangential_damping, "N s/m");
         p.pin_material.check();
         p.bushing_material.check();
       }

@@ -3,12 +3,12 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/solver_report.h>
-#include <tribody/base/units.h>
 #include <tribody/multibody/equations_of_motion.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/significant_digits.h>
 
-#include <set>
+#include <cmath>
 
 namespace Tribody
 {
@@ -16,6 +16,47 @@ namespace Tribody
   {
     namespace
     {
+      std::string
+      degrees(const double angle)
+      {
+        return significant_digits(angle * 180 / M_PI) + " deg";
+      }
+
+
+
+      // Where the drivers want their bodies at time t, for messages.
+      std::string
+      driver_angles(const Mechanism &mechanism, const double t)
+      {
+        std::string result;
+        for (const DriverParameters &d : mechanism.parameters().drivers)
+          result += (result.empty() ? "" : ", ") + d.name + " at " +
+                    degrees(d.initial_angle + d.speed * t);
+        return result;
+      }
+
+
+
+      // How far the equations of a constraint are from zero, for messages: of
+      // a translational joint, what is worse of its gap and its angle.
+      std::string
+      describe_gap(const Constraint      &constraint,
+                   const Eigen::VectorXd &phi,
+                   const double           size)
+      {
+        double length = 0., angle = 0.;
+        for (unsigned int i = 0; i < constraint.n_equations; ++i)
+          if (constraint.is_angle(i))
+            angle = std::abs(phi(i));
+          else
+            length = std::hypot(length, phi(i));
+        return angle * size > length
+                 ? "an angle of " + degrees(angle)
+                 : "a gap of " + significant_digits(1e3 * length) + " mm";
+      }
+
+
+
       // Phi_q in units of the mechanism's size: columns of angles divided by
       // it, so that a turn counts as the way that it moves a point.
       Eigen::MatrixXd
@@ -155,11 +196,10 @@ namespace Tribody
       const SolverReport report =
         solve_positions(equations, t, offsets, motion.q);
       AssertThrow(report.converged,
-                  ExcRun("At time " + std::to_string(t) +
+                  ExcRun("At time " + significant_digits(t, 6) +
                          " s the mechanism has no position near the one "
                          "before: " +
-                         report.message +
-                         ". Can the driven body make a full turn?"));
+                         report.message));
       motion.v = compute_velocities(equations, t, offsets, motion.q);
       Eigen::VectorXd forces(motion.q.size());
       equations.assemble_forces(motion.q, motion.v, {}, forces);
@@ -197,14 +237,49 @@ namespace Tribody
               worst_gap = gap;
             }
         }
-      AssertThrow(false,
-                  ExcParameter(worst->constraint->description,
-                               "cannot be closed: a gap of " +
-                                 Units::to_string(worst_gap, "m", "mm") +
-                                 " remains. Are the markers right, and are "
-                                 "the bodies' initial positions and angles "
-                                 "near a configuration that exists?"));
+      const Constraint &constraint = *worst->constraint;
+      std::string       hint;
+      if (!mechanism.parameters().drivers.empty())
+        hint = ", and can the driven bodies be where the drivers want them (" +
+               driver_angles(mechanism, t) + ")";
+      AssertThrow(
+        false,
+        ExcParameter(constraint.description,
+                     "cannot be closed: " +
+                       describe_gap(constraint,
+                                    phi.segment(worst->first_row,
+                                                constraint.n_equations),
+                                    mechanism.size()) +
+                       " remains. Are the markers right, are the bodies' "
+                       "initial positions and angles near a configuration "
+                       "that exists" +
+                       hint + "?"));
       return q;
+    }
+
+
+
+    void
+    check_full_cycle(const EquationsOfMotion &equations,
+                     const unsigned int       n_steps)
+    {
+      const Mechanism        &mechanism = equations.mechanism();
+      const DriverParameters &driver = mechanism.parameters().drivers.front();
+      const ConstraintOffsets none(mechanism.n_constraints());
+      const double            step     = mechanism.period() / n_steps;
+      const auto              angle_at = [&](const unsigned int k) {
+        return degrees(driver.initial_angle + driver.speed * k * step);
+      };
+      Eigen::VectorXd q = assemble_configuration(equations, 0.);
+      for (unsigned int k = 1; k <= n_steps; ++k)
+        AssertThrow(
+          solve_positions(equations, k * step, none, q).converged,
+          ExcParameter("Drivers",
+                       "must be able to make a full turn with ideal joints, "
+                       "but the mechanism locks between the angles " +
+                         angle_at(k - 1) + " and " + angle_at(k) +
+                         " of driver '" + driver.name +
+                         "'. Are the links' lengths right?"));
     }
 
 
@@ -242,9 +317,7 @@ namespace Tribody
                                  "contradict them in the initial "
                                  "configuration. Those that depend on each "
                                  "other belong to: " +
-                                 names +
-                                 ". Remove one of them, or give a joint "
-                                 "clearance"));
+                                 names + ". Remove one of them"));
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -2,6 +2,7 @@
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
 #include <tribody/multibody/motion_integrator.h>
+#include <tribody/multibody/significant_digits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -220,11 +221,12 @@ namespace Tribody
 
     const MechanismState &
     MotionIntegrator::advance_to(const double        t,
-                                 const unsigned long maximum_steps)
+                                 const unsigned long maximum_steps,
+                                 const unsigned long n_steps_before)
     {
       if (t == current.time)
         return current;
-      unsigned long n_steps = 0;
+      unsigned long n_steps = n_steps_before;
       while (ida->time() < t)
         {
           if (restart_is_pending)
@@ -248,11 +250,11 @@ namespace Tribody
           AssertThrow(n_steps++ < maximum_steps,
                       ExcRun("The integration of the motion took more than " +
                              std::to_string(maximum_steps) +
-                             " steps and has only reached time " +
-                             std::to_string(ida->time()) +
+                             " steps in one cycle ('Dynamics/Maximum steps "
+                             "per cycle') and has only reached time " +
+                             significant_digits(ida->time(), 6) +
                              " s. A larger 'Dynamics/Accuracy' takes longer "
-                             "steps; 'Dynamics/Maximum steps per cycle' "
-                             "allows more."));
+                             "steps."));
           record_step(ida->step(t + 1.));
         }
       ida->interpolate(t, interpolated);

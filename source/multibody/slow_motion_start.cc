@@ -168,16 +168,16 @@ namespace Tribody
                                                  normal_force,
                                                  rate,
                                                  joint.minimum_approach_speed);
-        const double eccentricity =
-          equations.clearance(j).clearance(angle - bushing_angle) +
-          penetrations[j](k);
+        const double clearance =
+          equations.clearance(j).clearance(angle - bushing_angle);
+        const double eccentricity = clearance + penetrations[j](k);
         e[j].col(k) << eccentricity * std::cos(angle),
           eccentricity * std::sin(angle);
 
         const double tangential_force = ratio * normal_force;
         PairVector   moments          = PairVector::Zero();
         moments(2)                    = -joint.pin_radius * tangential_force;
-        moments(5)                    = joint.bushing_radius * tangential_force;
+        moments(5) = (joint.pin_radius + clearance) * tangential_force;
         joint.bodies.add_to(moments, extra_forces[k]);
       }
 
@@ -220,9 +220,8 @@ namespace Tribody
         update_motion();
         start.state = {t_0, motions[centre].q, motions[centre].v, {}};
         if (!report.converged)
-          report.message =
-            "no start without vibration was found; the motion begins with "
-            "the best one";
+          report.message = "the search stopped after " +
+                           std::to_string(report.n_iterations) + " iterations";
         return start;
       }
     } // namespace

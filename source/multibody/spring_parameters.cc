@@ -55,8 +55,8 @@ namespace Tribody
                                           const std::string &unit) {
         AssertThrow(value >= 0,
                     ExcParameter("Spring " + name + "/" + entry,
-                                 "is " + Units::to_string(value, unit, unit) +
-                                   " but must not be negative"));
+                                 "must be zero or positive, not " +
+                                   Units::to_string(value, unit, unit)));
       };
       check_not_negative("Stiffness", stiffness, "N/m");
       check_not_negative("Reference length", reference_length, "m");

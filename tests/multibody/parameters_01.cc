@@ -124,6 +124,76 @@ expect_error(const Parameters &parameters)
     }
 }
 
+// What CycleSimulation's constructor, and so --check, has to say.
+void
+expect_simulation_error(const MechanismParameters &p)
+{
+  try
+    {
+      const Mechanism       mechanism(p);
+      const CycleSimulation simulation(mechanism, DynamicsParameters());
+      std::cout << "accepted" << std::endl;
+    }
+  catch (const ExcParameter &error)
+    {
+      // Where Newton's method does not converge, what it leaves is a matter of
+      // rounding.
+      const std::string::size_type hint = error.problem.find("Are the markers");
+      if (hint == std::string::npos)
+        std::cout << error.path << ": " << error.problem << std::endl;
+      else
+        std::cout << error.problem.substr(hint) << std::endl;
+    }
+}
+
+// A slider-crank with ideal joints makes a full turn only if its follower is
+// longer than its crank. With lengths a > l it locks where the follower stands
+// upright, at arcsin(l/a): 33.4 degrees for l = 0.55 a. A second joint beside
+// an ideal one determines nothing anew, with clearance or without.
+void
+check_simulation_errors()
+{
+  MechanismParameters p = validation(2);
+  p.joints.push_back(p.joints[1]);
+  p.joints.back().name = "second_crank_pin";
+  expect_simulation_error(p);
+  add_ptfe_clearance(p, 4);
+  expect_simulation_error(p);
+
+  Numbers x = {0.2, 0.11, 1., 1., 1., 1e-3, 1e-3, 0., 0.};
+  expect_simulation_error(make(x, 1.));
+  expect_simulation_error(make(x, 1., -M_PI));
+  p = make(x, 1.);
+  add_ptfe_clearance(p, 1);
+  expect_simulation_error(p);
+  p.drivers[0].initial_angle = M_PI / 2;
+  expect_simulation_error(p);
+  x.follower_length = 0.201;
+  expect_simulation_error(make(x, 1.));
+}
+
+// A run that takes too long names the parameter and its value.
+void
+expect_too_many_steps()
+{
+  MechanismParameters p = validation(2);
+  add_ptfe_clearance(p, 1);
+  DynamicsParameters dynamics;
+  dynamics.maximum_steps_per_cycle = 60;
+  const Mechanism mechanism(p);
+  try
+    {
+      CycleSimulation(mechanism, dynamics).run();
+      std::cout << "accepted" << std::endl;
+    }
+  catch (const ExcRun &error)
+    {
+      const std::string message = message_of(error);
+      std::cout << message.substr(0, message.find(" and has only reached"))
+                << std::endl;
+    }
+}
+
 int
 main()
 {
@@ -189,4 +259,6 @@ main()
   expect_error(p);
   dynamics.accuracy = 1.;
   expect_error(dynamics);
+  check_simulation_errors();
+  expect_too_many_steps();
 }

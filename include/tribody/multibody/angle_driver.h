@@ -33,6 +33,12 @@ namespace Tribody
       Eigen::Vector2d
       time_derivative(const double t) const override;
 
+      bool
+      is_angle(const unsigned int /*i*/) const override
+      {
+        return true;
+      }
+
       /// A motor transmits a moment, no force.
       Eigen::Vector2d
       reaction_force(const PairVector      &q,

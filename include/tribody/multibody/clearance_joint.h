@@ -24,6 +24,8 @@ namespace Tribody
       double angle_in_bushing = 0.;
       /// Angle of n in the frame of the pin's body [rad].
       double angle_in_pin = 0.;
+      /// R_i + c(theta) [m]: from the bushing's centre to its surface along n.
+      double bushing_arm = 0.;
       /// delta = |e| - c [m] and its rate [m/s].
       double penetration      = 0.;
       double penetration_rate = 0.;
@@ -54,9 +56,11 @@ namespace Tribody
      * @f[ \delta = |e| - c(\theta), \qquad
      *     \dot\delta = \dot e \cdot n - c'(\theta)\,\dot\theta, @f]
      * (eq. 28 of @cite mukras2010), contact for @f$\delta>0@f$. The forces act
-     * at the contact points @f$ p_m + R_m n @f$, eqs. (12)-(20); friction acts
-     * against the relative velocity of the *material* points there,
-     * @f$ v_t = \dot e \cdot (k\times n) + R_i\omega_1 - R_j\omega_2 @f$.
+     * at the contact points @f$ p_m + R_m n @f$, eqs. (12)-(20), where for the
+     * bushing @f$ R_i + c(\theta) @f$, on the worn surface, takes the place of
+     * R_j; friction acts against the relative velocity of the *material* points
+     * there, @f$ v_t = \dot e \cdot (k\times n) + R_i\omega_1 -
+     * (R_i + c(\theta))\,\omega_2 @f$.
      *
      * The damping coefficient @f$d_t@f$ acts on the swing of the pin's centre,
      * @f$ \dot e \cdot (k\times n) - \omega_2 |e| @f$, while there is contact:

@@ -60,6 +60,10 @@ namespace Tribody
         return Eigen::Vector2d::Zero();
       }
 
+      /// Whether equation @p i is one between angles [rad], not lengths [m].
+      virtual bool
+      is_angle(const unsigned int i) const = 0;
+
       /// Force of the first body on the second [N], in global axes.
       virtual Eigen::Vector2d
       reaction_force(const PairVector      &q,

@@ -40,7 +40,8 @@ namespace Tribody
        * Assembles the mechanism and estimates the scales of its contacts, once
        * for all runs. Keeps a reference to @p mechanism.
        * @throws ExcParameter for what cannot be assembled, redundant
-       *   constraints, or a missing driver.
+       *   constraints, a missing driver, or a crank that cannot make a full
+       *   turn with ideal joints.
        */
       CycleSimulation(const Mechanism          &mechanism,
                       const DynamicsParameters &parameters);
@@ -88,6 +89,8 @@ namespace Tribody
              CycleRecorder    &recorder,
              unsigned long    &n_steps_in_cycle) const;
 
+      // In slow motion if asked for and possible, else centred; the message
+      // of its report says why.
       StartingState
       compute_start(const EquationsOfMotion &equations) const;
 

@@ -101,6 +101,15 @@ namespace Tribody
     assemble_configuration(const EquationsOfMotion &equations, const double t);
 
     /**
+     * Make sure that a mechanism without degrees of freedom has a position at
+     * each of @p n_steps equal steps through one cycle from time 0 on. @throws
+     * ExcParameter with the angle of the first driver at which it locks.
+     */
+    void
+    check_full_cycle(const EquationsOfMotion &equations,
+                     const unsigned int       n_steps);
+
+    /**
      * Make sure that no constraint follows from the others at @p q (rank of
      * Phi_q). @throws ExcParameter naming the joints and drivers involved.
      */

@@ -62,10 +62,13 @@ namespace Tribody
 
       /**
        * Go on to time @p t [s], at least as late as before.
-       * @param maximum_steps taken here at most. @throws ExcRun beyond.
+       * @param maximum_steps in this cycle, of which @p n_steps_before have
+       *   been taken before. @throws ExcRun beyond.
        */
       const MechanismState &
-      advance_to(const double t, const unsigned long maximum_steps);
+      advance_to(const double        t,
+                 const unsigned long maximum_steps,
+                 const unsigned long n_steps_before = 0);
 
       /// Contacts that began or ended since start().
       const std::vector<ContactEvent> &

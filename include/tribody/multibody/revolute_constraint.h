@@ -29,6 +29,12 @@ namespace Tribody
       weighted_hessian(const PairVector      &q,
                        const Eigen::Vector2d &weights) const override;
 
+      bool
+      is_angle(const unsigned int /*i*/) const override
+      {
+        return false;
+      }
+
       Eigen::Vector2d
       reaction_force(const PairVector      &q,
                      const Eigen::Vector2d &multipliers) const override;

@@ -29,7 +29,9 @@ namespace Tribody
      * laws give just these reactions: at five times around @p t_0, so that e'
      * and e'' are known by differentiation, and all clearance joints at once.
      * The iteration contracts because the contact is much stiffer than the
-     * motion is fast.
+     * motion is fast. It need not where forces reverse or bores are worn: then
+     * the report says that it has not converged. @throws ExcRun if the
+     * mechanism has no position with the pins at such an e(t).
      *
      * @param equations with clearance joints; @param closed with ideal ones.
      * @param spacing of the five times [s], a small part of a cycle.
