@@ -2,6 +2,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
 #include <tribody/contact/contact_solver_parameters.h>
 
 namespace Tribody
@@ -45,7 +46,7 @@ namespace Tribody
     {
       AssertThrow(tolerance >= 1e-14 && tolerance <= 1e-3,
                   ExcParameter(path + "/Tolerance",
-                               std::to_string(tolerance) +
+                               Units::to_string(tolerance, "", "") +
                                  " is not in [1e-14, 1e-3]."));
     }
   } // namespace Contact

@@ -100,6 +100,9 @@ namespace Tribody
       prm.enter_subsection("Mesh");
       mesh.add_parameters(prm);
       prm.leave_subsection();
+      prm.enter_subsection("Contact solver");
+      contact_solver.add_parameters(prm);
+      prm.leave_subsection();
     }
 
 
@@ -132,6 +135,7 @@ namespace Tribody
                     ExcParameter(path + name_of_limit,
                                  "must not be negative; 0 means no limit"));
       mesh.check(path + "Mesh");
+      contact_solver.check(path + "Contact solver");
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -1,4 +1,5 @@
 #include <tribody/base/exceptions.h>
+#include <tribody/base/units.h>
 #include <tribody/coupling/run_recorder.h>
 #include <tribody/output/bushing_vtu.h>
 
@@ -16,19 +17,11 @@ namespace Tribody
       // Progress lines: not more often than this [s].
       constexpr double progress_interval = 2.;
 
-      double
-      degrees(const double radians)
-      {
-        return radians * 180. / M_PI;
-      }
-
-
-
       // In [0, 360).
       double
       positive_degrees(const double radians)
       {
-        const double angle = std::fmod(degrees(radians), 360.);
+        const double angle = std::fmod(Units::degrees(radians), 360.);
         return angle < 0. ? angle + 360. : angle;
       }
 
@@ -320,7 +313,7 @@ namespace Tribody
          "cycle at that node."},
         {"angle [deg]", "bushing_wear_depth [m]", "peak_pressure [Pa]"});
       for (Eigen::Index i = 0; i < bushing.profile().depth.size(); ++i)
-        table.write_row({degrees(bushing.node_angles()[i]),
+        table.write_row({Units::degrees(bushing.node_angles()[i]),
                          bushing.profile().depth[i],
                          contact.peak_pressure[i]});
 

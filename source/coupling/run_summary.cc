@@ -1,3 +1,4 @@
+#include <tribody/base/units.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/wear/crescent.h>
 
@@ -119,12 +120,13 @@ namespace Tribody
         const Output::BushingSummary &bushing = joint.bushing;
         out << "    bushing: maximum depth " << std::setprecision(4)
             << bushing.max_wear_depth * 1e3 << " mm at "
-            << bushing.max_wear_angle * 180. / M_PI << " deg, volume "
+            << Units::degrees(bushing.max_wear_angle) << " deg, volume "
             << bushing.worn_volume * 1e9 << " mm^3, mass "
             << bushing.worn_mass * 1e3 << " g" << std::endl
             << "    contact: largest pressure " << bushing.max_pressure * 1e-6
             << " MPa, half-angle at the largest force "
-            << bushing.contact_half_angle * 180. / M_PI << " deg" << std::endl;
+            << Units::degrees(bushing.contact_half_angle) << " deg"
+            << std::endl;
         if (bushing.crescent_max_wear_depth > 0.)
           out << "    crescent closed form (stiff bushing, constant force "
               << bushing.crescent_normal_force

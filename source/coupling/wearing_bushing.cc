@@ -94,7 +94,8 @@ namespace Tribody
       const Wear::ArchardLaw archard{parameters.wear_coefficient};
       Contact::ContactSolver solver(contact.surface,
                                     compliance,
-                                    joint.pin_radius);
+                                    joint.pin_radius,
+                                    parameters.contact_solver);
 
       // Neighbouring samples differ little, and the same sample on a similar
       // bore differs less.

@@ -4,6 +4,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/surface/boundary_ids.h>
 
@@ -46,7 +47,8 @@ namespace Tribody
     {
       AssertThrow(grading >= 0. && grading <= 5.,
                   ExcParameter(path + "/Grading",
-                               std::to_string(grading) + " is not in [0, 5]."));
+                               Units::to_string(grading, "", "") +
+                                 " is not in [0, 5]."));
     }
 
 

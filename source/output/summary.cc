@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/units.h>
 #include <tribody/base/version.h>
 #include <tribody/output/summary.h>
 
@@ -17,19 +18,12 @@ namespace Tribody
       // Keeps the order in which entries are added.
       using Json = nlohmann::ordered_json;
 
-      double
-      degrees(const double radians)
-      {
-        return radians * 180. / M_PI;
-      }
-
-
-
       Json
       bushing_to_json(const BushingSummary &bushing)
       {
         Json json = {{"max_wear_depth_m", bushing.max_wear_depth},
-                     {"max_wear_angle_deg", degrees(bushing.max_wear_angle)},
+                     {"max_wear_angle_deg",
+                      Units::degrees(bushing.max_wear_angle)},
                      {"worn_volume_m3", bushing.worn_volume},
                      {"worn_mass_kg", bushing.worn_mass},
                      {"wear_rate_mesh_oscillation", bushing.mesh_oscillation}};
@@ -64,7 +58,7 @@ namespace Tribody
                                        {"worn_mass_kg", 0.}};
             json["max_pressure_Pa"] = joint.bushing.max_pressure;
             json["contact_half_angle_deg"] =
-              degrees(joint.bushing.contact_half_angle);
+              Units::degrees(joint.bushing.contact_half_angle);
             json["volume_balance_relative_error"] =
               joint.bushing.volume_balance_relative_error;
           }

@@ -41,6 +41,13 @@ namespace Tribody
     to_string(const double       value,
               const std::string &si_unit,
               const std::string &shown_unit);
+
+    /// @p radians in degrees.
+    constexpr double
+    degrees(const double radians)
+    {
+      return radians * (180. / 3.14159265358979323846);
+    }
   } // namespace Units
 } // namespace Tribody
 

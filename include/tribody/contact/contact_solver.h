@@ -64,18 +64,6 @@ namespace Tribody
       solve_position_controlled(const Eigen::Vector2d &pin_centre,
                                 const ContactSolution *warm_start = nullptr);
 
-      const Eigen::MatrixXd &
-      normal_compliance() const
-      {
-        return compliance;
-      }
-
-      const BoreSurface &
-      bore_surface() const
-      {
-        return surface;
-      }
-
     private:
       /// What the iterations change, and what follows from it.
       struct Iterate

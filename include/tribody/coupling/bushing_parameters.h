@@ -1,6 +1,7 @@
 #ifndef tribody_coupling_bushing_parameters_h
 #define tribody_coupling_bushing_parameters_h
 
+#include <tribody/contact/contact_solver_parameters.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/output/summary.h>
 
@@ -46,6 +47,8 @@ namespace Tribody
       unsigned int element_degree = 2;
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
+      /// When the contact problem counts as solved.
+      Contact::ContactSolverParameters contact_solver;
       /// Archard's k [Pa^-1].
       double        wear_coefficient = 0.;
       BushingLimits limits;

@@ -45,12 +45,6 @@ namespace Tribody
     Values
     evaluate(const double angle) const;
 
-    bool
-    is_constant() const
-    {
-      return spline == nullptr;
-    }
-
     /// Mean over the angle [m].
     double
     mean() const

@@ -23,14 +23,6 @@ namespace Tribody
       /// not negative.
       double wear_coefficient = 0.;
 
-      /// Depth removed [m]. @p pressure [Pa] is not negative.
-      double
-      depth_increment(const double pressure,
-                      const double sliding_distance) const
-      {
-        return wear_coefficient * pressure * sliding_distance;
-      }
-
       /// Cross-section area removed [m^2] by a nodal force per axial length
       /// @p nodal_force [N/m], not negative.
       double
