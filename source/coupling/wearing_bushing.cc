@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace Tribody
@@ -248,10 +249,14 @@ namespace Tribody
     double
     WearingBushing::max_stable_step(const double sliding_per_cycle) const
     {
+      // Nothing wears, nothing can become unstable.
+      const double wear_per_pressure =
+        parameters.wear_coefficient * sliding_per_cycle;
+      if (!(wear_per_pressure > 0.))
+        return std::numeric_limits<double>::max();
       return Wear::max_stable_step(compliance,
                                    wear_profile.area_derivative(surface),
-                                   parameters.wear_coefficient *
-                                     sliding_per_cycle);
+                                   wear_per_pressure);
     }
 
 

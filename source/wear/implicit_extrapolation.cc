@@ -45,7 +45,6 @@ namespace Tribody
 
       double          cycles = 0.;
       Eigen::VectorXd y;
-      unsigned long   failed_steps = 0;
 
       SUNContext      context       = nullptr;
       void           *arkode        = nullptr;
@@ -301,16 +300,6 @@ namespace Tribody
       N_VDestroy(nv);
       memory->check(flag, "ARKStepGetEstLocalErrors");
       return error;
-    }
-
-
-
-    unsigned long
-    ImplicitExtrapolation::n_failed_steps() const
-    {
-      long n = 0;
-      ARKStepGetNumErrTestFails(memory->arkode, &n);
-      return n;
     }
   } // namespace Wear
 } // namespace Tribody

@@ -88,10 +88,6 @@ namespace Tribody
       Eigen::VectorXd
       local_error() const;
 
-      /// Steps and Newton iterations since construction.
-      unsigned long
-      n_failed_steps() const;
-
     private:
       struct Memory;
       std::unique_ptr<Memory> memory;
