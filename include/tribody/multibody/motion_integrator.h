@@ -111,7 +111,7 @@ namespace Tribody
       void
       assemble_jacobian(const ImplicitSystem::ConstVector &y,
                         const double                       c,
-                        ImplicitSystem::Matrix            &jacobian);
+                        MatrixEntries                     &entries);
 
       // Start IDA at `current`, with accelerations from the exact equations.
       void
@@ -135,9 +135,6 @@ namespace Tribody
 
       // Work space.
       Eigen::VectorXd phi;
-      Eigen::MatrixXd phi_q;
-      Eigen::VectorXd phi_t;
-      Eigen::VectorXd phi_tt;
       Eigen::VectorXd forces;
       Eigen::VectorXd interpolated;
     };
