@@ -6,6 +6,7 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/multibody/ida_integrator.h>
 #include <tribody/multibody/ida_linear_solver.h>
+#include <tribody/multibody/ida_vector.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -115,24 +116,6 @@ namespace Tribody
 
 
 
-      Eigen::Map<const Eigen::VectorXd>
-      const_view(const N_Vector x)
-      {
-        return {N_VGetArrayPointer(x),
-                static_cast<Eigen::Index>(N_VGetLength(x))};
-      }
-
-
-
-      Eigen::Map<Eigen::VectorXd>
-      view(const N_Vector x)
-      {
-        return {N_VGetArrayPointer(x),
-                static_cast<Eigen::Index>(N_VGetLength(x))};
-      }
-
-
-
       template <typename Memory>
       int
       residual_callback(realtype t,
@@ -226,8 +209,8 @@ namespace Tribody
       , y_t(y)
     {
       check(SUNContext_Create(nullptr, &context), "SUNContext_Create");
-      nv_y   = N_VMake_Serial(y.size(), y.data(), context);
-      nv_y_t = N_VMake_Serial(y.size(), y_t.data(), context);
+      nv_y   = make_ida_vector(y, context);
+      nv_y_t = make_ida_vector(y_t, context);
       newton = SUNNonlinSol_Newton(nv_y, context);
       ida    = IDACreate(context);
       AssertThrow(ida != nullptr && newton != nullptr,

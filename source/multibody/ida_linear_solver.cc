@@ -6,6 +6,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/multibody/ida_linear_solver.h>
+#include <tribody/multibody/ida_vector.h>
 
 #include <algorithm>
 #include <vector>
@@ -19,15 +20,6 @@ namespace Tribody
       // Systems of more unknowns than this are sparse; see
       // doc/decisions.md, "Linear solver of the dynamics".
       constexpr Eigen::Index largest_dense_size = 80;
-
-
-
-      Eigen::Map<Eigen::VectorXd>
-      view(const N_Vector x)
-      {
-        return {N_VGetArrayPointer(x),
-                static_cast<Eigen::Index>(N_VGetLength(x))};
-      }
 
 
 
