@@ -78,7 +78,7 @@ namespace Tribody
           const PairVector local_v = element->bodies.gather(v);
           for (unsigned int k = 0; k < element->n_equations; ++k)
             quadratic(row + k) = local_v.dot(
-              element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
+              element->weighted_hessian(local_q, Constraint::Values::Unit(k)) *
               local_v);
         }
     }
@@ -93,9 +93,8 @@ namespace Tribody
     {
       for (const auto &[element, row] : system.constraints())
         {
-          Eigen::Vector2d weights = Eigen::Vector2d::Zero();
-          for (unsigned int k = 0; k < element->n_equations; ++k)
-            weights(k) = factor * multipliers(row + k);
+          const Constraint::Values weights =
+            factor * element->gather(multipliers, row);
           element->bodies.add_to(
             element->weighted_hessian(element->bodies.gather(q), weights),
             matrix);
@@ -117,7 +116,8 @@ namespace Tribody
           for (unsigned int k = 0; k < element->n_equations; ++k)
             {
               const PairVector local =
-                element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
+                element->weighted_hessian(local_q,
+                                          Constraint::Values::Unit(k)) *
                 local_v;
               for (const int l : {0, 1})
                 if (bodies.body(l) != ground_body)
@@ -131,6 +131,7 @@ namespace Tribody
 
     void
     EquationsOfMotion::assemble_forces(
+      const double               t,
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
@@ -142,6 +143,18 @@ namespace Tribody
           spring.compute_force(spring.bodies.gather(q), spring.bodies.gather(v))
             .force,
           forces);
+      for (const RotationalSpring &spring : system.rotational_springs())
+        spring.bodies.add_to(
+          spring.compute_force(spring.bodies.gather(q), spring.bodies.gather(v))
+            .force,
+          forces);
+      for (const AppliedForce &force : system.applied_forces())
+        {
+          const int i = 3 * force.marker.body;
+          forces.segment<3>(i) += force.compute_force(t, q.segment<3>(i)).force;
+        }
+      for (const AppliedTorque &torque : system.applied_torques())
+        torque.bodies.add_to(torque.compute_force(t), forces);
       for (unsigned int j = 0; j < clearances.size(); ++j)
         {
           const ClearanceJoint &joint   = system.clearance_joints()[j];
@@ -157,6 +170,7 @@ namespace Tribody
 
     void
     EquationsOfMotion::subtract_force_derivatives(
+      const double               t,
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
@@ -171,6 +185,16 @@ namespace Tribody
         subtract(spring.bodies,
                  spring.compute_force(spring.bodies.gather(q),
                                       spring.bodies.gather(v)));
+      for (const RotationalSpring &spring : system.rotational_springs())
+        subtract(spring.bodies,
+                 spring.compute_force(spring.bodies.gather(q),
+                                      spring.bodies.gather(v)));
+      for (const AppliedForce &force : system.applied_forces())
+        {
+          const int i = 3 * force.marker.body;
+          minus_d_position.block<3, 3>(i, i) -=
+            force.compute_force(t, q.segment<3>(i)).d_position;
+        }
       for (unsigned int j = 0; j < clearances.size(); ++j)
         {
           const ClearanceJoint &joint = system.clearance_joints()[j];
@@ -215,6 +239,8 @@ namespace Tribody
       Energy energy = {v.dot(system.masses().cwiseProduct(v)) / 2,
                        -system.weights().dot(q)};
       for (const Spring &spring : system.springs())
+        energy.potential += spring.potential_energy(spring.bodies.gather(q));
+      for (const RotationalSpring &spring : system.rotational_springs())
         energy.potential += spring.potential_energy(spring.bodies.gather(q));
       return energy;
     }

@@ -42,12 +42,12 @@ namespace Tribody
                                ImplicitSystem::Vector            &residual) {
         assemble_residual(y, y_t, t, residual);
       };
-      system.jacobian = [this](const double /*t*/,
+      system.jacobian = [this](const double                       t,
                                const double                       c,
                                const ImplicitSystem::ConstVector &y,
                                const ImplicitSystem::ConstVector & /*y_t*/,
                                ImplicitSystem::Matrix &jacobian) {
-        assemble_jacobian(y, c, jacobian);
+        assemble_jacobian(y, t, c, jacobian);
       };
       system.n_roots = equations.mechanism().clearance_joints().size();
       system.roots =
@@ -95,7 +95,7 @@ namespace Tribody
 
       equations.assemble_constraint_jacobian(q, phi_q);
       equations.assemble_time_derivatives(t, phi_t, phi_tt);
-      equations.assemble_forces(q, v, current.approach_speeds, forces);
+      equations.assemble_forces(t, q, v, current.approach_speeds, forces);
 
       residual.head(n) = y_t.head(n) - v;
       residual.head(n).noalias() -= phi_q.transpose() * mu;
@@ -111,6 +111,7 @@ namespace Tribody
 
     void
     MotionIntegrator::assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                                        const double                       t,
                                         const double                       c,
                                         ImplicitSystem::Matrix &jacobian)
     {
@@ -131,7 +132,8 @@ namespace Tribody
       jacobian.block(0, 2 * n + m, n, m) = -phi_q.transpose();
 
       // M v' - Q + Phi_q^T lambda
-      equations.subtract_force_derivatives(q,
+      equations.subtract_force_derivatives(t,
+                                           q,
                                            v,
                                            current.approach_speeds,
                                            jacobian.block(n, 0, n, n),
@@ -174,10 +176,8 @@ namespace Tribody
     void
     MotionIntegrator::restart()
     {
-      equations.assemble_forces(current.q,
-                                current.v,
-                                current.approach_speeds,
-                                forces);
+      equations.assemble_forces(
+        current.time, current.q, current.v, current.approach_speeds, forces);
       const Accelerations accelerations =
         compute_accelerations(equations,
                               current.time,

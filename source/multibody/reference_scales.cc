@@ -46,7 +46,9 @@ namespace Tribody
       {
         for (unsigned int j = 0; j < joints.size(); ++j)
           {
-            const JointEntry  &entry = mechanism.joints()[j];
+            const JointEntry &entry = mechanism.joints()[j];
+            if (!entry.is_revolute)
+              continue;
             const unsigned int row =
               mechanism.constraints()[entry.index].first_row;
             const PairVector v     = entry.bodies.gather(motion.v);
@@ -63,7 +65,8 @@ namespace Tribody
 
 
       std::vector<IdealJoint>
-      run_ideal_cycle(const EquationsOfMotion &closed)
+      run_ideal_cycle(const EquationsOfMotion &closed,
+                      const double             given_period)
       {
         const Mechanism        &mechanism = closed.mechanism();
         std::vector<IdealJoint> joints(mechanism.joints().size());
@@ -72,11 +75,13 @@ namespace Tribody
         const ConstraintOffsets none(mechanism.n_constraints());
         const Eigen::VectorXd   no_force =
           Eigen::VectorXd::Zero(mechanism.n_coordinates());
+        const double period =
+          given_period > 0 ? given_period : mechanism.period();
         constexpr unsigned int n_samples = 72;
         Eigen::VectorXd        q         = assemble_configuration(closed, 0.);
         for (unsigned int k = 0; k < n_samples; ++k)
           {
-            const double t      = k * mechanism.period() / n_samples;
+            const double t      = k * period / n_samples;
             const Motion motion = solve_motion(closed, t, none, no_force, q);
             q                   = motion.q;
             add_sample(mechanism, motion, k == 0, 1. / n_samples, joints);
@@ -136,11 +141,12 @@ namespace Tribody
 
     std::vector<ReferenceScale>
     compute_reference_scales(const Mechanism         &mechanism,
-                             const EquationsOfMotion &closed)
+                             const EquationsOfMotion &closed,
+                             const double             period)
     {
       if (mechanism.clearance_joints().empty())
         return {};
-      const std::vector<IdealJoint> ideal = run_ideal_cycle(closed);
+      const std::vector<IdealJoint> ideal = run_ideal_cycle(closed, period);
       const double          default_force = mechanism.masses().maxCoeff();
       const Eigen::VectorXd q             = assemble_configuration(closed, 0.);
 
@@ -198,9 +204,14 @@ namespace Tribody
         }
       if (scales.empty())
         {
-          // A part of the mechanism's size, in a second.
+          // A part of the mechanism's size, at the pace of a cycle.
+          double cycle = 2 * M_PI;
+          if (parameters.cycle_duration > 0)
+            cycle = parameters.cycle_duration;
+          else if (mechanism.has_turning_driver())
+            cycle = mechanism.period();
           shortest = 1e-4 * mechanism.size();
-          slowest  = shortest;
+          slowest  = shortest * 2 * M_PI / cycle;
         }
 
       MotionTolerances tolerances;

@@ -14,7 +14,8 @@ namespace Tribody
   {
     class Mechanism;
 
-    /// Kinetic and potential energy [J]. Contacts are not included.
+    /// Kinetic and potential energy [J]. Contacts and applied forces are not
+    /// included.
     struct Energy
     {
       double kinetic;
@@ -30,7 +31,7 @@ namespace Tribody
     /**
      * The terms of the equations of motion of a mechanism whose joints have
      * given clearances,
-     * @f[ M \dot v = Q(q, v) - \Phi_q^T \lambda, \qquad \Phi(q, t) = 0, @f]
+     * @f[ M \dot v = Q(t, q, v) - \Phi_q^T \lambda, \qquad \Phi(q, t) = 0, @f]
      * assembled over its elements. Nothing is allocated here: results are
      * written to what the caller provides.
      */
@@ -93,9 +94,10 @@ namespace Tribody
                               ConstVector v,
                               Matrix      matrix) const;
 
-      /// Q(q, v). @p approach_speeds: one per clearance joint [m/s].
+      /// Q(t, q, v). @p approach_speeds: one per clearance joint [m/s].
       void
-      assemble_forces(ConstVector                q,
+      assemble_forces(const double               t,
+                      ConstVector                q,
                       ConstVector                v,
                       const std::vector<double> &approach_speeds,
                       Vector                     forces) const;
@@ -103,7 +105,8 @@ namespace Tribody
       /// Subtract dQ/dq from @p minus_d_position and dQ/dv from
       /// @p minus_d_velocity.
       void
-      subtract_force_derivatives(ConstVector                q,
+      subtract_force_derivatives(const double               t,
+                                 ConstVector                q,
                                  ConstVector                v,
                                  const std::vector<double> &approach_speeds,
                                  Matrix                     minus_d_position,
