@@ -43,6 +43,7 @@ namespace Tribody
       , times(2 * n_samples + 1)
       , q(equations.mechanism().n_coordinates(), 2 * n_samples + 1)
       , v(q.rows(), q.cols())
+      , a(q.rows(), q.cols())
       , forces(2 * equations.mechanism().joints().size(), 2 * n_samples + 1)
       , contacts(equations.mechanism().clearance_joints().size(),
                  std::vector<JointContact>(2 * n_samples + 1))
@@ -53,38 +54,39 @@ namespace Tribody
     void
     CycleRecorder::record(const unsigned int k, const MechanismState &state)
     {
-      times(k) = state.time;
-      q.col(k) = state.q;
-      v.col(k) = state.v;
-      for (unsigned int j = 0; j < contacts.size(); ++j)
-        contacts[j][k] = equations.compute_contact(j,
-                                                   state.q,
-                                                   state.v,
-                                                   state.approach_speeds[j]);
-      record_forces(k, state);
+      const Mechanism &mechanism = equations.mechanism();
+      Eigen::VectorXd  applied(mechanism.n_coordinates());
+      equations.assemble_forces(
+        state.time, state.q, state.v, state.approach_speeds, applied);
+      // Not the multipliers of the integrator: those are outside its error
+      // test. These are exact for the given q and v.
+      record(k,
+             state,
+             compute_accelerations(equations,
+                                   state.time,
+                                   ConstraintOffsets(mechanism.n_constraints()),
+                                   state.q,
+                                   state.v,
+                                   applied));
     }
 
 
 
     void
-    CycleRecorder::record_forces(const unsigned int    k,
-                                 const MechanismState &state)
+    CycleRecorder::record(const unsigned int    k,
+                          const MechanismState &state,
+                          const Accelerations  &accelerations)
     {
+      times(k) = state.time;
+      q.col(k) = state.q;
+      v.col(k) = state.v;
+      a.col(k) = accelerations.a;
+      for (unsigned int j = 0; j < contacts.size(); ++j)
+        contacts[j][k] = equations.compute_contact(j,
+                                                   state.q,
+                                                   state.v,
+                                                   state.approach_speeds[j]);
       const Mechanism &mechanism = equations.mechanism();
-      Eigen::VectorXd  applied(mechanism.n_coordinates());
-      equations.assemble_forces(state.q,
-                                state.v,
-                                state.approach_speeds,
-                                applied);
-      // Not the multipliers of the integrator: those are outside its error
-      // test. These are exact for the given q and v.
-      const Accelerations result =
-        compute_accelerations(equations,
-                              state.time,
-                              ConstraintOffsets(mechanism.n_constraints()),
-                              state.q,
-                              state.v,
-                              applied);
       for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
         {
           const JointEntry &joint = mechanism.joints()[j];
@@ -94,9 +96,9 @@ namespace Tribody
             {
               const auto &[constraint, row] =
                 mechanism.constraints()[joint.index];
-              forces.col(k).segment<2>(2 * j) =
-                constraint->reaction_force(constraint->bodies.gather(state.q),
-                                           result.multipliers.segment<2>(row));
+              forces.col(k).segment<2>(2 * j) = constraint->reaction_force(
+                constraint->bodies.gather(state.q),
+                constraint->gather(accelerations.multipliers, row));
             }
         }
     }
@@ -109,6 +111,7 @@ namespace Tribody
       times.swap(other.times);
       q.swap(other.q);
       v.swap(other.v);
+      a.swap(other.a);
       forces.swap(other.forces);
       contacts.swap(other.contacts);
     }
@@ -263,8 +266,9 @@ namespace Tribody
       cycle.time   = at_samples(times.transpose()).transpose();
       cycle.phase =
         Eigen::VectorXd::LinSpaced(n_samples, 0., 360. - 360. / n_samples);
-      cycle.coordinates = at_samples(q);
-      cycle.velocities  = at_samples(v);
+      cycle.coordinates   = at_samples(q);
+      cycle.velocities    = at_samples(v);
+      cycle.accelerations = at_samples(a);
 
       const Eigen::MatrixXd force_samples = at_samples(forces);
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)

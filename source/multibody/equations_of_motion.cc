@@ -78,7 +78,7 @@ namespace Tribody
           const PairVector local_v = element->bodies.gather(v);
           for (unsigned int k = 0; k < element->n_equations; ++k)
             quadratic(row + k) = local_v.dot(
-              element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
+              element->weighted_hessian(local_q, Constraint::Values::Unit(k)) *
               local_v);
         }
     }
@@ -106,11 +106,12 @@ namespace Tribody
           phi.segment(row, n) = element->value(t, local_q).head(n);
           phi_rate.segment(row, n) =
             (jacobian * bodies.gather(v) + element->time_derivative(t)).head(n);
-          Eigen::Vector2d multipliers = Eigen::Vector2d::Zero();
-          multipliers.head(n)         = lambda.segment(row, n);
-          bodies.add_to(PairVector(jacobian.transpose() * multipliers), forces);
-          multipliers.head(n) = mu.segment(row, n);
-          bodies.add_to(PairVector(-jacobian.transpose() * multipliers), rates);
+          bodies.add_to(PairVector(jacobian.transpose() *
+                                   element->gather(lambda, row)),
+                        forces);
+          bodies.add_to(PairVector(-jacobian.transpose() *
+                                   element->gather(mu, row)),
+                        rates);
         }
     }
 
@@ -133,15 +134,13 @@ namespace Tribody
           const Constraint::Jacobian jacobian = element->jacobian(local_q);
 
           // q' - v - Phi_q^T mu and M v' - Q + Phi_q^T lambda
-          Eigen::Vector2d multipliers = Eigen::Vector2d::Zero();
-          multipliers.head(n)         = mu.segment(row, n);
-          bodies.add_to(PairMatrix(
-                          -element->weighted_hessian(local_q, multipliers)),
+          bodies.add_to(element->weighted_hessian(local_q,
+                                                  -element->gather(mu, row)),
                         first.q,
                         first.q,
                         entries);
-          multipliers.head(n) = lambda.segment(row, n);
-          bodies.add_to(element->weighted_hessian(local_q, multipliers),
+          bodies.add_to(element->weighted_hessian(local_q,
+                                                  element->gather(lambda, row)),
                         first.v,
                         first.q,
                         entries);
@@ -165,7 +164,7 @@ namespace Tribody
                              entries);
           for (unsigned int k = 0; k < n; ++k)
             bodies.add_rows_to(
-              (element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
+              (element->weighted_hessian(local_q, Constraint::Values::Unit(k)) *
                local_v)
                 .transpose(),
               first.mu + row + k,
@@ -178,6 +177,7 @@ namespace Tribody
 
     void
     EquationsOfMotion::assemble_forces(
+      const double               t,
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
@@ -189,6 +189,18 @@ namespace Tribody
           spring.compute_force(spring.bodies.gather(q), spring.bodies.gather(v))
             .force,
           forces);
+      for (const RotationalSpring &spring : system.rotational_springs())
+        spring.bodies.add_to(
+          spring.compute_force(spring.bodies.gather(q), spring.bodies.gather(v))
+            .force,
+          forces);
+      for (const AppliedForce &force : system.applied_forces())
+        {
+          const int i = 3 * force.marker.body;
+          forces.segment<3>(i) += force.compute_force(t, q.segment<3>(i)).force;
+        }
+      for (const AppliedTorque &torque : system.applied_torques())
+        torque.bodies.add_to(torque.compute_force(t), forces);
       for (unsigned int j = 0; j < clearances.size(); ++j)
         {
           const ClearanceJoint &joint   = system.clearance_joints()[j];
@@ -204,6 +216,7 @@ namespace Tribody
 
     void
     EquationsOfMotion::subtract_force_derivatives(
+      const double               t,
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
@@ -220,6 +233,18 @@ namespace Tribody
         subtract(spring.bodies,
                  spring.compute_force(spring.bodies.gather(q),
                                       spring.bodies.gather(v)));
+      for (const RotationalSpring &spring : system.rotational_springs())
+        subtract(spring.bodies,
+                 spring.compute_force(spring.bodies.gather(q),
+                                      spring.bodies.gather(v)));
+      for (const AppliedForce &force : system.applied_forces())
+        {
+          const int i = 3 * force.marker.body;
+          entries.add_block(
+            row + i,
+            q_column + i,
+            -force.compute_force(t, q.segment<3>(i)).d_position);
+        }
       for (unsigned int j = 0; j < clearances.size(); ++j)
         {
           const ClearanceJoint &joint = system.clearance_joints()[j];
@@ -264,6 +289,8 @@ namespace Tribody
       Energy energy = {v.dot(system.masses().cwiseProduct(v)) / 2,
                        -system.weights().dot(q)};
       for (const Spring &spring : system.springs())
+        energy.potential += spring.potential_energy(spring.bodies.gather(q));
+      for (const RotationalSpring &spring : system.rotational_springs())
         energy.potential += spring.potential_energy(spring.bodies.gather(q));
       return energy;
     }

@@ -33,23 +33,6 @@ namespace Tribody
         assemble(const Assembler &assembler) override;
 
       private:
-        struct Entries : public MatrixEntries
-        {
-          explicit Entries(Eigen::Map<Eigen::MatrixXd> matrix)
-            : matrix(matrix)
-          {}
-
-          void
-          add(const Eigen::Index row,
-              const Eigen::Index column,
-              const double       value) override
-          {
-            matrix(row, column) += value;
-          }
-
-          Eigen::Map<Eigen::MatrixXd> matrix;
-        };
-
         Eigen::Map<Eigen::MatrixXd>
         entries_of(SUNMatrix dense) const
         {
@@ -101,10 +84,11 @@ namespace Tribody
       bool
       DenseSolver::assemble(const Assembler &assembler)
       {
-        Entries entries(entries_of(matrix));
-        entries.matrix.setZero();
+        Eigen::Map<Eigen::MatrixXd> dense = entries_of(matrix);
+        dense.setZero();
+        DenseEntries entries(dense);
         assembler(entries);
-        return entries.matrix.allFinite();
+        return dense.allFinite();
       }
 
 

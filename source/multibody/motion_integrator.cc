@@ -39,12 +39,12 @@ namespace Tribody
                                ImplicitSystem::Vector            &residual) {
         assemble_residual(y, y_t, t, residual);
       };
-      system.jacobian = [this](const double /*t*/,
+      system.jacobian = [this](const double                       t,
                                const double                       c,
                                const ImplicitSystem::ConstVector &y,
                                const ImplicitSystem::ConstVector & /*y_t*/,
                                MatrixEntries &entries) {
-        assemble_jacobian(y, c, entries);
+        assemble_jacobian(y, t, c, entries);
       };
       system.n_roots = equations.mechanism().clearance_joints().size();
       system.roots =
@@ -88,7 +88,7 @@ namespace Tribody
       const auto q = y.head(n);
       const auto v = y.segment(n, n);
 
-      equations.assemble_forces(q, v, current.approach_speeds, forces);
+      equations.assemble_forces(t, q, v, current.approach_speeds, forces);
       residual.head(n) = y_t.head(n) - v;
       residual.segment(n, n) =
         equations.mechanism().masses().cwiseProduct(y_t.segment(n, n)) - forces;
@@ -107,6 +107,7 @@ namespace Tribody
 
     void
     MotionIntegrator::assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                                        const double                       t,
                                         const double                       c,
                                         MatrixEntries &entries)
     {
@@ -120,7 +121,7 @@ namespace Tribody
           entries.add(n + i, n + i, c * masses(i));
         }
       equations.subtract_force_derivatives(
-        q, v, current.approach_speeds, n, 0, n, entries);
+        t, q, v, current.approach_speeds, n, 0, n, entries);
       equations.add_constraint_derivatives(q,
                                            v,
                                            y.segment(2 * n, m),
@@ -151,10 +152,8 @@ namespace Tribody
     void
     MotionIntegrator::restart()
     {
-      equations.assemble_forces(current.q,
-                                current.v,
-                                current.approach_speeds,
-                                forces);
+      equations.assemble_forces(
+        current.time, current.q, current.v, current.approach_speeds, forces);
       const Accelerations accelerations =
         compute_accelerations(equations,
                               current.time,

@@ -23,7 +23,8 @@ namespace Tribody
       // two-joint PTFE mechanism did not settle otherwise.
       constexpr double transition_factor = 3.;
 
-      // A joint is loose if its clearance is larger than this many penetrations.
+      // A joint is loose if its clearance is larger than this many
+      // penetrations.
       constexpr double loose_clearance = 10.;
 
       // What impacts multiply errors by, as far as it is known beforehand.
@@ -52,7 +53,9 @@ namespace Tribody
       {
         for (unsigned int j = 0; j < joints.size(); ++j)
           {
-            const JointEntry  &entry = mechanism.joints()[j];
+            const JointEntry &entry = mechanism.joints()[j];
+            if (!entry.is_revolute)
+              continue;
             const unsigned int row =
               mechanism.constraints()[entry.index].first_row;
             const PairVector v     = entry.bodies.gather(motion.v);
@@ -69,7 +72,8 @@ namespace Tribody
 
 
       std::vector<IdealJoint>
-      run_ideal_cycle(const EquationsOfMotion &closed)
+      run_ideal_cycle(const EquationsOfMotion &closed,
+                      const double             given_period)
       {
         const Mechanism        &mechanism = closed.mechanism();
         std::vector<IdealJoint> joints(mechanism.joints().size());
@@ -78,11 +82,13 @@ namespace Tribody
         const ConstraintOffsets none(mechanism.n_constraints());
         const Eigen::VectorXd   no_force =
           Eigen::VectorXd::Zero(mechanism.n_coordinates());
+        const double period =
+          given_period > 0 ? given_period : mechanism.period();
         constexpr unsigned int n_samples = 72;
         Eigen::VectorXd        q         = assemble_configuration(closed, 0.);
         for (unsigned int k = 0; k < n_samples; ++k)
           {
-            const double t      = k * mechanism.period() / n_samples;
+            const double t      = k * period / n_samples;
             const Motion motion = solve_motion(closed, t, none, no_force, q);
             q                   = motion.q;
             add_sample(mechanism, motion, k == 0, 1. / n_samples, joints);
@@ -142,11 +148,12 @@ namespace Tribody
 
     std::vector<ReferenceScale>
     compute_reference_scales(const Mechanism         &mechanism,
-                             const EquationsOfMotion &closed)
+                             const EquationsOfMotion &closed,
+                             const double             period)
     {
       if (mechanism.clearance_joints().empty())
         return {};
-      const std::vector<IdealJoint> ideal = run_ideal_cycle(closed);
+      const std::vector<IdealJoint> ideal = run_ideal_cycle(closed, period);
       const double          default_force = mechanism.masses().maxCoeff();
       const Eigen::VectorXd q             = assemble_configuration(closed, 0.);
 
@@ -206,9 +213,14 @@ namespace Tribody
         }
       if (scales.empty())
         {
-          // A part of the mechanism's size, in a second.
+          // A part of the mechanism's size, at the pace of a cycle.
+          double cycle = 2 * M_PI;
+          if (parameters.cycle_duration > 0)
+            cycle = parameters.cycle_duration;
+          else if (mechanism.has_turning_driver())
+            cycle = mechanism.period();
           shortest = 1e-4 * mechanism.size();
-          slowest  = shortest;
+          slowest  = shortest * 2 * M_PI / cycle;
         }
 
       MotionTolerances tolerances;
@@ -261,8 +273,7 @@ namespace Tribody
       // half the second derivative, of the size of penetration times frequency
       // squared, times the square of the step.
       if (!scales.empty())
-        tolerances.initial_step =
-          0.5 * std::sqrt(accuracy) / fastest;
+        tolerances.initial_step = 0.5 * std::sqrt(accuracy) / fastest;
       return tolerances;
     }
   } // namespace Multibody

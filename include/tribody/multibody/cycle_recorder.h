@@ -12,6 +12,7 @@ namespace Tribody
   namespace Multibody
   {
     class EquationsOfMotion;
+    struct Accelerations;
     struct ContactEvent;
 
     /**
@@ -26,9 +27,16 @@ namespace Tribody
                     const unsigned int       n_samples,
                     const double             period);
 
-      /// Record number @p k, from 0 to 2 n.
+      /// Record number @p k, from 0 to 2 n, of a motion: the accelerations and
+      /// reactions are those that the equations of motion give for it.
       void
       record(const unsigned int k, const MechanismState &state);
+
+      /// Record number @p k with the given accelerations and reactions.
+      void
+      record(const unsigned int    k,
+             const MechanismState &state,
+             const Accelerations  &accelerations);
 
       /// Exchange what has been recorded with @p other, of the same mechanism
       /// and the same times.
@@ -45,9 +53,6 @@ namespace Tribody
       make_duty_cycle(const std::vector<ContactEvent> &events) const;
 
     private:
-      void
-      record_forces(const unsigned int k, const MechanismState &state);
-
       void
       fill_contact(const unsigned int joint, JointDutyCycle &result) const;
 
@@ -73,6 +78,7 @@ namespace Tribody
       Eigen::VectorXd times;
       Eigen::MatrixXd q;
       Eigen::MatrixXd v;
+      Eigen::MatrixXd a;
       // Two rows per joint, x and y.
       Eigen::MatrixXd forces;
       // [clearance joint][record]

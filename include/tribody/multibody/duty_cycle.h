@@ -29,7 +29,8 @@ namespace Tribody
      *
      * For an ideal revolute joint, the normal force is the whole reaction and
      * the contact where it points; friction, eccentricity and penetration are
-     * zero. A translational joint has forces only.
+     * zero. Other joints have forces only. A kinematic analysis knows no
+     * forces: they are zero.
      */
     struct JointDutyCycle
     {
@@ -119,10 +120,11 @@ namespace Tribody
       /// 360 j / n [deg].
       Eigen::VectorXd             phase;
       std::vector<JointDutyCycle> joints;
-      /// One column per sample: (x, y, phi) of each body [m, rad], and their
-      /// rates.
+      /// One column per sample: (x, y, phi) of each body [m, rad], their rates
+      /// and second derivatives.
       Eigen::MatrixXd coordinates;
       Eigen::MatrixXd velocities;
+      Eigen::MatrixXd accelerations;
 
       SettlingReport settling;
       /// Largest entry of Phi at any integration step since the start of the

@@ -15,7 +15,8 @@ namespace Tribody
     class MatrixEntries;
     class Mechanism;
 
-    /// Kinetic and potential energy [J]. Contacts are not included.
+    /// Kinetic and potential energy [J]. Contacts and applied forces are not
+    /// included.
     struct Energy
     {
       double kinetic;
@@ -41,7 +42,7 @@ namespace Tribody
     /**
      * The terms of the equations of motion of a mechanism whose joints have
      * given clearances,
-     * @f[ M \dot v = Q(q, v) - \Phi_q^T \lambda, \qquad \Phi(q, t) = 0, @f]
+     * @f[ M \dot v = Q(t, q, v) - \Phi_q^T \lambda, \qquad \Phi(q, t) = 0, @f]
      * assembled over its elements. Nothing is allocated here: results are
      * written to what the caller provides.
      */
@@ -118,9 +119,10 @@ namespace Tribody
                                  const FirstIndices &first,
                                  MatrixEntries      &entries) const;
 
-      /// Q(q, v). @p approach_speeds: one per clearance joint [m/s].
+      /// Q(t, q, v). @p approach_speeds: one per clearance joint [m/s].
       void
-      assemble_forces(ConstVector                q,
+      assemble_forces(const double               t,
+                      ConstVector                q,
                       ConstVector                v,
                       const std::vector<double> &approach_speeds,
                       Vector                     forces) const;
@@ -128,7 +130,8 @@ namespace Tribody
       /// Subtract dQ/dq from @p entries, beginning at (@p row, @p q_column),
       /// and dQ/dv, beginning at (@p row, @p v_column).
       void
-      subtract_force_derivatives(ConstVector                q,
+      subtract_force_derivatives(const double               t,
+                                 ConstVector                q,
                                  ConstVector                v,
                                  const std::vector<double> &approach_speeds,
                                  const Eigen::Index         row,

@@ -36,6 +36,27 @@ namespace Tribody
             add(row + i, column + j, block(i, j));
       }
     };
+
+    /// Entries of a dense matrix, which must outlive this object.
+    class DenseEntries : public MatrixEntries
+    {
+    public:
+      explicit DenseEntries(
+        Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>> matrix)
+        : matrix(matrix)
+      {}
+
+      void
+      add(const Eigen::Index row,
+          const Eigen::Index column,
+          const double       value) override
+      {
+        matrix(row, column) += value;
+      }
+
+    private:
+      Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>> matrix;
+    };
   } // namespace Multibody
 } // namespace Tribody
 

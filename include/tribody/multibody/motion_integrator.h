@@ -70,6 +70,13 @@ namespace Tribody
                  const unsigned long maximum_steps,
                  const unsigned long n_steps_before = 0);
 
+      /// Where advance_to() arrived last.
+      const MechanismState &
+      state() const
+      {
+        return current;
+      }
+
       /// Contacts that began or ended since start().
       const std::vector<ContactEvent> &
       events() const
@@ -110,6 +117,7 @@ namespace Tribody
 
       void
       assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                        const double                       t,
                         const double                       c,
                         MatrixEntries                     &entries);
 
