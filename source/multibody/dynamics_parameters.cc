@@ -44,16 +44,18 @@ namespace Tribody
         "Local error allowed in one integration step, relative to the "
         "expected penetration of a joint with clearance (if there is none, "
         "1e-4 of the mechanism's size, and for velocities that in the time "
-        "of a cycle over 2 pi). 3e-4 gives joint forces to "
-        "better than 0.1 % where contact lasts; impacts ask for 1e-4.");
+        "of a cycle over 2 pi). 3e-4 gives joint forces to better than 0.1 %. "
+        "If the clearance of a joint is more than ten penetrations, so that "
+        "its pin strikes, a tenth of this is allowed: every impact multiplies "
+        "errors.");
       Parameters::add_integer(
         prm,
         "Maximum order",
         maximum_order,
-        "Highest order of the BDF method. 0 takes 2 for mechanisms with "
-        "clearance joints and 5 for others: orders above 2 are unstable for "
-        "the lightly damped vibration of a stiff joint. Where impacts "
-        "dominate, 5 is more efficient.",
+        "Highest order of the BDF method. 0 takes 2 for mechanisms with a "
+        "joint whose clearance is less than ten penetrations and 5 for others: "
+        "orders above 2 are unstable for the lightly damped vibration of such "
+        "a joint.",
         0,
         5);
       Parameters::add_integer(prm,

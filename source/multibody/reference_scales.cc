@@ -23,6 +23,13 @@ namespace Tribody
       // two-joint PTFE mechanism did not settle otherwise.
       constexpr double transition_factor = 3.;
 
+      // A joint is loose if its clearance is larger than this many
+      // penetrations.
+      constexpr double loose_clearance = 10.;
+
+      // What impacts multiply errors by, as far as it is known beforehand.
+      constexpr double error_growth_of_impacts = 10.;
+
 
 
       // A joint over a cycle with ideal joints.
@@ -181,6 +188,8 @@ namespace Tribody
               std::min(scale.speed,
                        transition_factor *
                          friction_transition_speed(joint.friction_law));
+          scale.is_loose =
+            joint.nominal_clearance() > loose_clearance * scale.penetration;
           scales.push_back(scale);
         }
       return scales;
@@ -247,17 +256,24 @@ namespace Tribody
           tolerances.velocities.segment<3>(3 * i) << speed, speed,
             speed / lever;
         }
-      tolerances.positions *= parameters.accuracy;
-      tolerances.velocities *= parameters.accuracy;
+      const auto is_loose = [](const ReferenceScale &scale) {
+        return scale.is_loose;
+      };
+      const double accuracy =
+        std::any_of(scales.begin(), scales.end(), is_loose)
+          ? parameters.accuracy / error_growth_of_impacts
+          : parameters.accuracy;
+      tolerances.positions *= accuracy;
+      tolerances.velocities *= accuracy;
       tolerances.maximum_order = parameters.maximum_order;
       if (tolerances.maximum_order == 0)
-        tolerances.maximum_order = scales.empty() ? 5 : 2;
+        tolerances.maximum_order =
+          std::all_of(scales.begin(), scales.end(), is_loose) ? 5 : 2;
       // At the start and after an impact BDF is of first order: its error is
       // half the second derivative, of the size of penetration times frequency
       // squared, times the square of the step.
       if (!scales.empty())
-        tolerances.initial_step =
-          0.5 * std::sqrt(parameters.accuracy) / fastest;
+        tolerances.initial_step = 0.5 * std::sqrt(accuracy) / fastest;
       return tolerances;
     }
   } // namespace Multibody

@@ -184,15 +184,21 @@ namespace Tribody
         if (balance.free.cols() == 0)
           return balance;
 
-        Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-        Eigen::MatrixXd damping   = Eigen::MatrixXd::Zero(n, n);
+        // Of the Jacobian of a motion, the block of forces by coordinates.
+        Eigen::MatrixXd jacobian =
+          Eigen::MatrixXd::Zero(2 * n + 2 * m, 2 * n + 2 * m);
+        DenseEntries          entries(jacobian);
+        const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(n);
         equations.subtract_force_derivatives(
-          t, q, Eigen::VectorXd::Zero(n), approach_speeds, stiffness, damping);
-        equations.add_multiplier_derivative(q,
-                                            balance.multipliers,
-                                            1.,
-                                            stiffness);
-        balance.stiffness = balance.free.transpose() *
+          t, q, at_rest, approach_speeds, n, 0, n, entries);
+        equations.add_constraint_derivatives(q,
+                                             at_rest,
+                                             balance.multipliers,
+                                             Eigen::VectorXd::Zero(m),
+                                             {0, n, 2 * n, 2 * n + m},
+                                             entries);
+        const auto stiffness = jacobian.block(n, 0, n, n);
+        balance.stiffness    = balance.free.transpose() *
                             inverse_scales.asDiagonal() * stiffness *
                             inverse_scales.asDiagonal() * balance.free;
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(

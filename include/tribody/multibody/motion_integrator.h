@@ -119,7 +119,7 @@ namespace Tribody
       assemble_jacobian(const ImplicitSystem::ConstVector &y,
                         const double                       t,
                         const double                       c,
-                        ImplicitSystem::Matrix            &jacobian);
+                        MatrixEntries                     &entries);
 
       // Start IDA at `current`, with accelerations from the exact equations.
       void
@@ -143,9 +143,6 @@ namespace Tribody
 
       // Work space.
       Eigen::VectorXd phi;
-      Eigen::MatrixXd phi_q;
-      Eigen::VectorXd phi_t;
-      Eigen::VectorXd phi_tt;
       Eigen::VectorXd forces;
       Eigen::VectorXd interpolated;
     };

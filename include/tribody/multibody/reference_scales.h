@@ -26,6 +26,9 @@ namespace Tribody
       /// doubles the force by hysteresis; and where the sliding reverses, 3
       /// times the speed at which friction changes its sign.
       double speed;
+      /// Whether the clearance is so large, more than 10 penetrations, that the
+      /// pin flies and strikes.
+      bool is_loose;
     };
 
     /**
@@ -54,6 +57,11 @@ namespace Tribody
      * of the mechanism's size takes the place of the penetration, and its speed
      * is that length over the time of a cycle divided by 2 pi (one second if
      * there is no cycle).
+     *
+     * Joints in which the pin strikes need a tenth of these errors, because
+     * every impact multiplies them. In return BDF may be of fifth order if
+     * there are only such joints: the vibration of a tight one, which friction
+     * and hysteresis hardly damp, it would excite.
      */
     MotionTolerances
     make_tolerances(const Mechanism                   &mechanism,
