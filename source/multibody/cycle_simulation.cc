@@ -2,6 +2,7 @@
 #include <tribody/multibody/cycle_recorder.h>
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/motion_integrator.h>
 #include <tribody/multibody/significant_digits.h>
@@ -82,18 +83,35 @@ namespace Tribody
       CycleRecorder           recorder(equations, n, period);
       const ConstraintOffsets none(mechanism.n_constraints());
       MechanismState          state;
-      state.q = assemble_configuration(equations, 0.);
+      state.q            = assemble_configuration(equations, 0.);
+      const auto move_to = [&](const double t) {
+        const Motion motion =
+          solve_motion(equations,
+                       t,
+                       none,
+                       Eigen::VectorXd::Zero(mechanism.n_coordinates()),
+                       state.q);
+        state.time = t;
+        state.q    = motion.q;
+        state.v    = motion.v;
+      };
+      const double  half_interval = period / (2 * n);
+      EnergyAccount account(equations);
+      if (parameters.energy_balance == "always")
+        recorder.set_energy_account(&account);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          state.time = (k - 1.) * period / (2 * n);
-          const Motion motion =
-            solve_motion(equations,
-                         state.time,
-                         none,
-                         Eigen::VectorXd::Zero(mechanism.n_coordinates()),
-                         state.q);
-          state.q = motion.q;
-          state.v = motion.v;
+          if (k > 0 && parameters.energy_balance == "always")
+            {
+              move_to((k - 1.5) * half_interval);
+              const MechanismState middle = state;
+              move_to((k - 1.) * half_interval);
+              account.advance(middle, state);
+            }
+          else
+            move_to((k - 1.) * half_interval);
+          if (k == 0)
+            account.open(state);
           recorder.record(k, state);
         }
       DutyCycle cycle          = recorder.make_duty_cycle({});
@@ -206,7 +224,13 @@ namespace Tribody
       const StartingState start = compute_start(equations);
       integrator.start(start.state);
 
-      CycleRecorder  recorder(equations, parameters.samples_per_cycle, period);
+      CycleRecorder recorder(equations, parameters.samples_per_cycle, period);
+      EnergyAccount account(equations);
+      if (parameters.energy_balance == "always")
+        {
+          integrator.set_energy_account(&account);
+          recorder.set_energy_account(&account);
+        }
       unsigned long  n_steps_in_cycle = 0;
       SettlingReport settling = settle(integrator, recorder, n_steps_in_cycle);
       settling.message        = start.report.message;
