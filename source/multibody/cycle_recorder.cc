@@ -358,14 +358,14 @@ namespace Tribody
       EnergyHistory             history;
       std::vector<EnergyRecord> changes;
       for (const EnergyRecord &record : energies)
+        changes.push_back(record.since(energies.front()));
+      history.kinetic.resize(n_samples);
+      history.potential.resize(n_samples);
+      for (unsigned int s = 0; s < n_samples; ++s)
         {
-          changes.push_back(record.since(energies.front()));
-          if (changes.size() % 2 == 0)
-            {
-              history.samples.push_back(changes.back());
-              history.samples.back().kinetic   = record.kinetic;
-              history.samples.back().potential = record.potential;
-            }
+          history.kinetic(s)   = energies[2 * s + 1].kinetic;
+          history.potential(s) = energies[2 * s + 1].potential;
+          history.samples.push_back(changes[2 * s + 1]);
         }
       history.cycle = changes.back();
       if (energy_account != nullptr)

@@ -115,7 +115,10 @@ namespace Tribody
     /// Energies over a cycle and how well they are in balance.
     struct EnergyHistory
     {
-      /// At each sample; what was exchanged, since the cycle began.
+      /// At each sample [J].
+      Eigen::VectorXd kinetic;
+      Eigen::VectorXd potential;
+      /// Changes since the cycle began, at each sample.
       std::vector<EnergyRecord> samples;
       /// Changes over the whole cycle.
       EnergyRecord cycle;
