@@ -378,7 +378,10 @@ namespace Tribody
       const std::streamsize         precision = out.precision();
 
       out << std::endl
-          << "Results after " << std::lround(summary.cycles) << " cycles"
+          << (summary.is_dynamics_only
+                ? "Results of the dynamics"
+                : "Results after " +
+                    std::to_string(std::lround(summary.cycles)) + " cycles")
           << (summary.message.empty()
                 ? ""
                 : " (" + summary.status + ": " + summary.message + ")")

@@ -1,4 +1,5 @@
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/grid/reference_cell.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/output/mechanism_vtu.h>
@@ -13,27 +14,29 @@ namespace Tribody
     {
       using Patch = dealii::DataOutBase::Patch<1, 2>;
 
-      // One cell per pair of neighbouring points.
-      Patch
-      make_patch(const MechanismLine &line, const unsigned int index)
+      // A patch for each pair of neighbouring points.
+      void
+      add_patches(const MechanismLine &line, std::vector<Patch> &patches)
       {
-        const unsigned int n_points = line.points.size();
-        Patch              patch;
-        patch.patch_index          = index;
-        patch.n_subdivisions       = n_points - 1;
-        patch.points_are_available = true;
-        patch.data.reinit(7, n_points);
-        for (unsigned int i = 0; i < n_points; ++i)
+        for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
           {
-            patch.data(0, i) = static_cast<float>(line.part);
-            patch.data(1, i) = line.body;
-            patch.data(2, i) = line.joint;
-            patch.data(3, i) = line.force.x();
-            patch.data(4, i) = line.force.y();
-            patch.data(5, i) = line.points[i].x();
-            patch.data(6, i) = line.points[i].y();
+            Patch patch;
+            patch.patch_index = patches.size();
+            // Not set by default; without it, the file has no cells.
+            patch.reference_cell = dealii::ReferenceCells::Line;
+            patch.data.reinit(5, 2);
+            for (const unsigned int k : {0, 1})
+              {
+                const Eigen::Vector2d &point = line.points[i + k];
+                patch.vertices[k]            = {point.x(), point.y()};
+                patch.data(0, k)             = static_cast<float>(line.part);
+                patch.data(1, k)             = line.body;
+                patch.data(2, k)             = line.joint;
+                patch.data(3, k)             = line.force.x();
+                patch.data(4, k)             = line.force.y();
+              }
+            patches.push_back(patch);
           }
-        return patch;
       }
     } // namespace
 
@@ -45,7 +48,12 @@ namespace Tribody
     {
       std::vector<Patch> patches;
       for (const MechanismLine &line : lines)
-        patches.push_back(make_patch(line, patches.size()));
+        add_patches(line, patches);
+
+      // Small files: their number is what takes time.
+      dealii::DataOutBase::VtkFlags flags;
+      flags.compression_level =
+        dealii::DataOutBase::VtkFlags::ZlibCompressionLevel::best_speed;
 
       std::ofstream file(file_name);
       dealii::DataOutBase::write_vtu(
@@ -55,7 +63,7 @@ namespace Tribody
           4,
           "force",
           dealii::DataComponentInterpretation::component_is_part_of_vector}},
-        dealii::DataOutBase::VtkFlags(),
+        flags,
         file);
       AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
     }
