@@ -67,10 +67,8 @@ namespace Tribody
     {
       const Mechanism &mechanism = equations.mechanism();
       Eigen::VectorXd  applied(mechanism.n_coordinates());
-      equations.assemble_forces(state.q,
-                                state.v,
-                                state.approach_speeds,
-                                applied);
+      equations.assemble_forces(
+        state.time, state.q, state.v, state.approach_speeds, applied);
       // Not the multipliers of the integrator: those are outside its error
       // test. These are exact for the given q and v.
       record(k,

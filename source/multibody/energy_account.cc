@@ -21,6 +21,19 @@ namespace Tribody
         impact_loss,
         first_joint
       };
+
+
+
+      // At rest, only the elastic part of a spring's force is left.
+      template <typename SpringType>
+      double
+      damping_power(const SpringType &spring, const MechanismState &state)
+      {
+        const PairVector q = spring.bodies.gather(state.q);
+        const PairVector v = spring.bodies.gather(state.v);
+        return v.dot(spring.compute_force(q, PairVector::Zero()).force -
+                     spring.compute_force(q, v).force);
+      }
     } // namespace
 
 
@@ -92,25 +105,28 @@ namespace Tribody
       Eigen::VectorXd    result    = Eigen::VectorXd::Zero(exchanged.size());
       Eigen::VectorXd    forces(mechanism.n_coordinates());
       Eigen::VectorXd    phi_t(m), phi_tt(m);
-      equations.assemble_forces(state.q,
-                                state.v,
-                                state.approach_speeds,
-                                forces);
+      equations.assemble_forces(
+        state.time, state.q, state.v, state.approach_speeds, forces);
       equations.assemble_time_derivatives(state.time, phi_t, phi_tt);
       // -v^T Phi_q^T lambda, with Phi_q v = -Phi_t.
       result(driver_work) =
         compute_accelerations(
           equations, state.time, ConstraintOffsets(m), state.q, state.v, forces)
           .multipliers.dot(phi_t);
-      for (const Spring &spring : mechanism.springs())
+      for (const AppliedForce &force : mechanism.applied_forces())
         {
-          const PairVector q = spring.bodies.gather(state.q);
-          const PairVector v = spring.bodies.gather(state.v);
-          // At rest, only the elastic part is left.
-          result(damper_loss) +=
-            v.dot(spring.compute_force(q, PairVector::Zero()).force -
-                  spring.compute_force(q, v).force);
+          const int body = 3 * force.marker.body;
+          result(force_work) +=
+            force.compute_force(state.time, state.q.segment<3>(body))
+              .force.dot(state.v.segment<3>(body));
         }
+      for (const AppliedTorque &torque : mechanism.applied_torques())
+        result(force_work) +=
+          torque.compute_force(state.time).dot(torque.bodies.gather(state.v));
+      for (const Spring &spring : mechanism.springs())
+        result(damper_loss) += damping_power(spring, state);
+      for (const RotationalSpring &spring : mechanism.rotational_springs())
+        result(damper_loss) += damping_power(spring, state);
       for (unsigned int j = 0; j < mechanism.clearance_joints().size(); ++j)
         add_joint_powers(j, state, result);
       return result;

@@ -18,9 +18,6 @@ namespace Tribody
       , n(equations.mechanism().n_coordinates())
       , m(equations.mechanism().n_constraints())
       , phi(m)
-      , phi_q(m, n)
-      , phi_t(m)
-      , phi_tt(m)
       , forces(n)
     {
       ida = std::make_unique<IdaIntegrator>(make_system(),
@@ -43,12 +40,12 @@ namespace Tribody
                                ImplicitSystem::Vector            &residual) {
         assemble_residual(y, y_t, t, residual);
       };
-      system.jacobian = [this](const double /*t*/,
+      system.jacobian = [this](const double                       t,
                                const double                       c,
                                const ImplicitSystem::ConstVector &y,
                                const ImplicitSystem::ConstVector & /*y_t*/,
-                               ImplicitSystem::Matrix &jacobian) {
-        assemble_jacobian(y, c, jacobian);
+                               MatrixEntries &entries) {
+        assemble_jacobian(y, t, c, entries);
       };
       system.n_roots = equations.mechanism().clearance_joints().size();
       system.roots =
@@ -89,68 +86,49 @@ namespace Tribody
                                         const double                       t,
                                         ImplicitSystem::Vector &residual)
     {
-      const auto q      = y.head(n);
-      const auto v      = y.segment(n, n);
-      const auto lambda = y.segment(2 * n, m);
-      const auto mu     = y.tail(m);
+      const auto q = y.head(n);
+      const auto v = y.segment(n, n);
 
-      equations.assemble_constraint_jacobian(q, phi_q);
-      equations.assemble_time_derivatives(t, phi_t, phi_tt);
-      equations.assemble_forces(q, v, current.approach_speeds, forces);
-
+      equations.assemble_forces(t, q, v, current.approach_speeds, forces);
       residual.head(n) = y_t.head(n) - v;
-      residual.head(n).noalias() -= phi_q.transpose() * mu;
       residual.segment(n, n) =
         equations.mechanism().masses().cwiseProduct(y_t.segment(n, n)) - forces;
-      residual.segment(n, n).noalias() += phi_q.transpose() * lambda;
-      equations.assemble_constraints(t, q, residual.segment(2 * n, m));
-      residual.tail(m) = phi_t;
-      residual.tail(m).noalias() += phi_q * v;
+      equations.assemble_constraint_terms(t,
+                                          q,
+                                          v,
+                                          y.segment(2 * n, m),
+                                          y.tail(m),
+                                          residual.segment(2 * n, m),
+                                          residual.tail(m),
+                                          residual.segment(n, n),
+                                          residual.head(n));
     }
 
 
 
     void
     MotionIntegrator::assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                                        const double                       t,
                                         const double                       c,
-                                        ImplicitSystem::Matrix &jacobian)
+                                        MatrixEntries &entries)
     {
-      const auto q      = y.head(n);
-      const auto v      = y.segment(n, n);
-      const auto lambda = y.segment(2 * n, m);
-      const auto mu     = y.tail(m);
-
-      equations.assemble_constraint_jacobian(q, phi_q);
-
-      // q' - v - Phi_q^T mu
-      jacobian.block(0, 0, n, n).diagonal().setConstant(c);
-      equations.add_multiplier_derivative(q,
-                                          mu,
-                                          -1.,
-                                          jacobian.block(0, 0, n, n));
-      jacobian.block(0, n, n, n).diagonal().setConstant(-1.);
-      jacobian.block(0, 2 * n + m, n, m) = -phi_q.transpose();
-
-      // M v' - Q + Phi_q^T lambda
-      equations.subtract_force_derivatives(q,
+      const auto             q      = y.head(n);
+      const auto             v      = y.segment(n, n);
+      const Eigen::VectorXd &masses = equations.mechanism().masses();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          entries.add(i, i, c);
+          entries.add(i, n + i, -1.);
+          entries.add(n + i, n + i, c * masses(i));
+        }
+      equations.subtract_force_derivatives(
+        t, q, v, current.approach_speeds, n, 0, n, entries);
+      equations.add_constraint_derivatives(q,
                                            v,
-                                           current.approach_speeds,
-                                           jacobian.block(n, 0, n, n),
-                                           jacobian.block(n, n, n, n));
-      equations.add_multiplier_derivative(q,
-                                          lambda,
-                                          1.,
-                                          jacobian.block(n, 0, n, n));
-      jacobian.block(n, n, n, n).diagonal() +=
-        c * equations.mechanism().masses();
-      jacobian.block(n, 2 * n, n, m) = phi_q.transpose();
-
-      // Phi and Phi_q v + Phi_t
-      jacobian.block(2 * n, 0, m, n) = phi_q;
-      equations.add_velocity_derivative(q,
-                                        v,
-                                        jacobian.block(2 * n + m, 0, m, n));
-      jacobian.block(2 * n + m, n, m, n) = phi_q;
+                                           y.segment(2 * n, m),
+                                           y.tail(m),
+                                           {0, n, 2 * n, 2 * n + m},
+                                           entries);
     }
 
 
@@ -176,10 +154,8 @@ namespace Tribody
     void
     MotionIntegrator::restart()
     {
-      equations.assemble_forces(current.q,
-                                current.v,
-                                current.approach_speeds,
-                                forces);
+      equations.assemble_forces(
+        current.time, current.q, current.v, current.approach_speeds, forces);
       const Accelerations accelerations =
         compute_accelerations(equations,
                               current.time,

@@ -231,11 +231,10 @@ namespace Tribody
     StartingState
     compute_centred_start(const EquationsOfMotion &closed, const double t_0)
     {
-      StartingState           start;
-      const ConstraintOffsets none(closed.mechanism().n_constraints());
+      StartingState start;
       start.state.time = t_0;
       start.state.q    = assemble_configuration(closed, t_0);
-      start.state.v    = compute_velocities(closed, t_0, none, start.state.q);
+      start.state.v    = compute_initial_velocities(closed, t_0, start.state.q);
       start.report.converged = true;
       return start;
     }

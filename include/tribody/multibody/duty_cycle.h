@@ -21,7 +21,8 @@ namespace Tribody
      *
      * For an ideal revolute joint, the normal force is the whole reaction and
      * the contact where it points; friction, eccentricity and penetration are
-     * zero. A translational joint has forces only.
+     * zero. Other joints have forces only. A kinematic analysis knows no
+     * forces: they are zero.
      */
     struct JointDutyCycle
     {

@@ -79,6 +79,13 @@ namespace Tribody
                  const unsigned long maximum_steps,
                  const unsigned long n_steps_before = 0);
 
+      /// Where advance_to() arrived last.
+      const MechanismState &
+      state() const
+      {
+        return current;
+      }
+
       /// Contacts that began or ended since start().
       const std::vector<ContactEvent> &
       events() const
@@ -119,8 +126,9 @@ namespace Tribody
 
       void
       assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                        const double                       t,
                         const double                       c,
-                        ImplicitSystem::Matrix            &jacobian);
+                        MatrixEntries                     &entries);
 
       // Start IDA at `current`, with accelerations from the exact equations.
       void
@@ -155,9 +163,6 @@ namespace Tribody
 
       // Work space.
       Eigen::VectorXd phi;
-      Eigen::MatrixXd phi_q;
-      Eigen::VectorXd phi_t;
-      Eigen::VectorXd phi_tt;
       Eigen::VectorXd forces;
       Eigen::VectorXd interpolated;
     };
