@@ -146,53 +146,47 @@ namespace Tribody
       const ConstraintOffsets none(mechanism.n_constraints());
       MechanismState          state;
       state.q            = assemble_configuration(equations, 0.);
-      const auto move_to = [&](const double t) {
+      const auto move_to = [&](const double t) -> Accelerations {
+        state.time = t;
+        if (is_kinematic())
+          {
+            const SolverReport report =
+              solve_positions(equations, t, none, state.q);
+            AssertThrow(report.converged, ExcRun(report.message));
+            state.v = compute_velocities(equations, t, none, state.q);
+            return {
+              compute_kinematic_accelerations(equations, t, state.q, state.v),
+              Eigen::VectorXd::Zero(mechanism.n_constraints())};
+          }
         const Motion motion =
           solve_motion(equations,
                        t,
                        none,
                        Eigen::VectorXd::Zero(mechanism.n_coordinates()),
                        state.q);
-        state.time = t;
-        state.q    = motion.q;
-        state.v    = motion.v;
-        return Accelerations{motion.a, motion.multipliers};
+        state.q = motion.q;
+        state.v = motion.v;
+        return {motion.a, motion.multipliers};
       };
-      // Kinematics knows no forces that could do work.
-      const bool has_balance =
-        parameters.energy_balance == "always" && !is_kinematic();
+      const double  half_interval = period / (2 * n);
       EnergyAccount account(equations);
-      if (has_balance)
+      const bool    keeps_account =
+        parameters.energy_balance == "always" && !is_kinematic();
+      if (keeps_account)
         recorder.set_energy_account(&account);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          const double half_interval = period / (2 * n);
-          const double t             = (k - 1.) * half_interval;
-          if (is_kinematic())
-            {
-              const SolverReport report =
-                solve_positions(equations, t, none, state.q);
-              AssertThrow(report.converged, ExcRun(report.message));
-              state.time = t;
-              state.v    = compute_velocities(equations, t, none, state.q);
-              recorder.record(k,
-                              state,
-                              {compute_kinematic_accelerations(
-                                 equations, t, state.q, state.v),
-                               Eigen::VectorXd::Zero(
-                                 mechanism.n_constraints())});
-              continue;
-            }
+          const double   t = (k - 1.) * half_interval;
           MechanismState middle;
-          if (has_balance && k > 0)
+          if (keeps_account && k > 0)
             {
               move_to(t - half_interval / 2);
               middle = state;
             }
           const Accelerations accelerations = move_to(t);
-          if (has_balance && k > 0)
+          if (keeps_account && k > 0)
             account.advance(middle, state);
-          else if (has_balance)
+          if (keeps_account && k == 0)
             account.open(state);
           recorder.record(k, state, accelerations);
         }

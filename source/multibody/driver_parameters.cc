@@ -105,7 +105,7 @@ namespace Tribody
                            "f(t), an expression of the time t in seconds, for "
                            "example 'sin(2*pi*t)'. It must have two continuous "
                            "derivatives, which are taken by differences of "
-                           "eighth order: their error is 1e-11 of the fastest "
+                           "eighth order: their error is 1e-9 of the fastest "
                            "part of the function.");
     }
 

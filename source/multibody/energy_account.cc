@@ -24,13 +24,14 @@ namespace Tribody
 
 
 
-      // At rest, only the elastic part of a spring's force is left.
+      // What the damper of a spring takes [W].
       template <typename SpringType>
       double
-      damping_power(const SpringType &spring, const MechanismState &state)
+      damper_power(const SpringType &spring, const MechanismState &state)
       {
         const PairVector q = spring.bodies.gather(state.q);
         const PairVector v = spring.bodies.gather(state.v);
+        // At rest, only the elastic part is left.
         return v.dot(spring.compute_force(q, PairVector::Zero()).force -
                      spring.compute_force(q, v).force);
       }
@@ -113,23 +114,33 @@ namespace Tribody
         compute_accelerations(
           equations, state.time, ConstraintOffsets(m), state.q, state.v, forces)
           .multipliers.dot(phi_t);
-      for (const AppliedForce &force : mechanism.applied_forces())
-        {
-          const int body = 3 * force.marker.body;
-          result(force_work) +=
-            force.compute_force(state.time, state.q.segment<3>(body))
-              .force.dot(state.v.segment<3>(body));
-        }
-      for (const AppliedTorque &torque : mechanism.applied_torques())
-        result(force_work) +=
-          torque.compute_force(state.time).dot(torque.bodies.gather(state.v));
+      result(force_work) = compute_applied_power(state);
       for (const Spring &spring : mechanism.springs())
-        result(damper_loss) += damping_power(spring, state);
+        result(damper_loss) += damper_power(spring, state);
       for (const RotationalSpring &spring : mechanism.rotational_springs())
-        result(damper_loss) += damping_power(spring, state);
+        result(damper_loss) += damper_power(spring, state);
       for (unsigned int j = 0; j < mechanism.clearance_joints().size(); ++j)
         add_joint_powers(j, state, result);
       return result;
+    }
+
+
+
+    double
+    EnergyAccount::compute_applied_power(const MechanismState &state) const
+    {
+      const Mechanism &mechanism = equations.mechanism();
+      double           power     = 0.;
+      for (const AppliedForce &force : mechanism.applied_forces())
+        {
+          const int i = 3 * force.marker.body;
+          power += state.v.segment<3>(i).dot(
+            force.compute_force(state.time, state.q.segment<3>(i)).force);
+        }
+      for (const AppliedTorque &torque : mechanism.applied_torques())
+        power +=
+          torque.bodies.gather(state.v).dot(torque.compute_force(state.time));
+      return power;
     }
 
 

@@ -1,3 +1,4 @@
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -9,6 +10,7 @@
 #include <tribody/multibody/mechanism.h>
 #include <tribody/multibody/significant_digits.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Tribody
@@ -70,39 +72,6 @@ namespace Tribody
 
 
 
-      // The constraint that is farthest from zero at q, and how far.
-      struct OpenConstraint
-      {
-        const Constraint *constraint = nullptr;
-        std::string       gap;
-      };
-
-      OpenConstraint
-      find_worst_gap(const EquationsOfMotion &equations,
-                     const double             t,
-                     const Eigen::VectorXd   &q)
-      {
-        const Mechanism &mechanism = equations.mechanism();
-        Eigen::VectorXd  phi(mechanism.n_constraints());
-        equations.assemble_constraints(t, q, phi);
-        OpenConstraint worst;
-        double         worst_gap = -1.;
-        for (const auto &[constraint, row] : mechanism.constraints())
-          {
-            const Eigen::VectorXd part =
-              phi.segment(row, constraint->n_equations);
-            if (part.norm() > worst_gap)
-              {
-                worst_gap = part.norm();
-                worst     = {constraint.get(),
-                             describe_gap(*constraint, part, mechanism.size())};
-              }
-          }
-        return worst;
-      }
-
-
-
       // Phi_q in units of the mechanism's size: columns of angles divided by
       // it, so that a turn counts as the way that it moves a point.
       Eigen::MatrixXd
@@ -117,6 +86,144 @@ namespace Tribody
           jacobian.col(i) /= mechanism.size();
         return jacobian;
       }
+
+
+
+      // The configuration near q in which the squares of all gaps (angles times
+      // the mechanism's size) have the least sum, by the method of Levenberg
+      // and Marquardt: what can be closed is closed, and what cannot is told by
+      // how much. Unlike Newton's method it ends at the same place on any
+      // machine.
+      Eigen::VectorXd
+      find_smallest_gaps(const EquationsOfMotion &equations,
+                         const double             t,
+                         const Eigen::VectorXd   &q_guess,
+                         const Constraint        *open = nullptr)
+      {
+        const Mechanism   &mechanism = equations.mechanism();
+        const unsigned int n         = mechanism.n_coordinates();
+        const double       size      = mechanism.size();
+        Eigen::VectorXd    weights(mechanism.n_constraints());
+        constexpr double   heavy = 1e3;
+        const unsigned int n_joints =
+          mechanism.constraints().size() - mechanism.driver_motions().size();
+        for (unsigned int c = 0; c < mechanism.constraints().size(); ++c)
+          {
+            const auto &[constraint, row] = mechanism.constraints()[c];
+            const bool is_light =
+              open == nullptr ? c < n_joints : constraint.get() == open;
+            for (unsigned int i = 0; i < constraint->n_equations; ++i)
+              weights(row + i) =
+                (is_light ? 1. : heavy) * (constraint->is_angle(i) ? size : 1.);
+          }
+        const auto gaps = [&](const Eigen::VectorXd &q) {
+          Eigen::VectorXd phi(weights.size());
+          equations.assemble_constraints(t, q, phi);
+          return Eigen::VectorXd(weights.cwiseProduct(phi));
+        };
+
+        Eigen::VectorXd q = q_guess, r = gaps(q);
+        double          damping = 1e-3;
+        for (unsigned int k = 0; k < 500 && damping < 1e12; ++k)
+          {
+            const Eigen::MatrixXd jacobian =
+              weights.asDiagonal() * scaled_jacobian(equations, q);
+            const Eigen::MatrixXd matrix =
+              jacobian.transpose() * jacobian +
+              damping * Eigen::MatrixXd::Identity(n, n);
+            Eigen::VectorXd step =
+              -matrix.ldlt().solve(jacobian.transpose() * r);
+            const double length = step.norm();
+            if (length < 1e-9 * size)
+              break;
+            step *= std::min(1., size / length);
+            for (unsigned int i = 2; i < n; i += 3)
+              step(i) /= size;
+            const Eigen::VectorXd r_new = gaps(q + step);
+            if (r_new.norm() < r.norm())
+              {
+                q += step;
+                r = r_new;
+                damping /= 4;
+              }
+            else
+              damping *= 8;
+          }
+        return q;
+      }
+
+
+
+      // What keeps a mechanism from being closed, for messages.
+      struct OpenConstraint
+      {
+        // The joint or driver, as in the parameter file.
+        std::string description;
+        // "cannot be closed: a gap of 3 mm remains"
+        std::string problem;
+      };
+
+      // The constraint that can be opened so that all others close: of joints
+      // in a loop the one with the largest share of the gap, or the first.
+      OpenConstraint
+      find_open_constraint(const EquationsOfMotion &equations,
+                           const double             t,
+                           const Eigen::VectorXd   &q_guess)
+      {
+        const Mechanism &mechanism                 = equations.mechanism();
+        const std::vector<NumberedConstraint> &all = mechanism.constraints();
+        Eigen::VectorXd                        phi(mechanism.n_constraints());
+        const auto gap_of = [&](const NumberedConstraint &c) {
+          return phi.segment(c.first_row, c.constraint->n_equations).norm();
+        };
+
+        const Eigen::VectorXd shared =
+          find_smallest_gaps(equations, t, q_guess);
+        equations.assemble_constraints(t, shared, phi);
+        unsigned int worst = 0;
+        for (unsigned int c = 1; c < all.size(); ++c)
+          if (gap_of(all[c]) > 1.01 * gap_of(all[worst]))
+            worst = c;
+        const double              worst_gap  = gap_of(all[worst]);
+        std::vector<unsigned int> candidates = {worst};
+        for (unsigned int c = all.size(); c > 0; --c)
+          candidates.push_back(c - 1);
+        const Eigen::VectorXd shared_phi = phi;
+        for (const unsigned int c : candidates)
+          {
+            equations.assemble_constraints(
+              t,
+              find_smallest_gaps(equations, t, shared, all[c].constraint.get()),
+              phi);
+            double others = 0.;
+            for (unsigned int d = 0; d < all.size(); ++d)
+              if (d != c)
+                others = std::max(others, gap_of(all[d]));
+            if (others < 1e-3 * worst_gap)
+              {
+                worst = c;
+                break;
+              }
+            if (c == 0)
+              phi = shared_phi;
+          }
+        const Constraint &constraint = *all[worst].constraint;
+        const bool        is_driver =
+          worst >= all.size() - mechanism.driver_motions().size();
+        return {constraint.description,
+                (is_driver ? "cannot be obeyed: " : "cannot be closed: ") +
+                  describe_gap(constraint,
+                               phi.segment(all[worst].first_row,
+                                           constraint.n_equations),
+                               mechanism.size()) +
+                  " remains"};
+      }
+
+
+
+      // Newton's method ends up to 1e-6 of the size away from a singular
+      // position, and the rows of Phi_q are dependent to that only.
+      constexpr double singular_threshold = 1e-5;
 
 
 
@@ -316,12 +423,12 @@ namespace Tribody
         solve_positions(equations, t, offsets, motion.q);
       if (!report.converged)
         {
-          const OpenConstraint worst = find_worst_gap(equations, t, motion.q);
+          const OpenConstraint worst =
+            find_open_constraint(equations, t, q_guess);
           throw ExcRun("At time " + significant_digits(t, 6) +
                        " s the mechanism has no position near the one "
                        "before: " +
-                       worst.constraint->description + " cannot be closed, " +
-                       worst.gap + " remains");
+                       worst.description + " " + worst.problem);
         }
       motion.v = compute_velocities(equations, t, offsets, motion.q);
       Eigen::VectorXd forces(motion.q.size());
@@ -345,15 +452,19 @@ namespace Tribody
       const SolverReport      report = solve_positions(equations, t, none, q);
       if (report.converged)
         return q;
+      q = find_smallest_gaps(equations, t, mechanism.initial_coordinates());
+      if (solve_positions(equations, t, none, q).converged)
+        return q;
 
-      const OpenConstraint worst = find_worst_gap(equations, t, q);
-      std::string          hint;
+      const OpenConstraint worst =
+        find_open_constraint(equations, t, mechanism.initial_coordinates());
+      std::string hint;
       if (!mechanism.driver_motions().empty())
         hint = ", and can the driven bodies be where the drivers want them (" +
                driver_positions(mechanism, t) + ")";
-      throw ExcParameter(worst.constraint->description,
-                         "cannot be closed: " + worst.gap +
-                           " remains. Are the markers right, are the bodies' "
+      throw ExcParameter(worst.description,
+                         worst.problem +
+                           ". Are the markers right, are the bodies' "
                            "initial positions and angles near a configuration "
                            "that exists" +
                            hint + "?");
@@ -373,19 +484,21 @@ namespace Tribody
       for (unsigned int k = 1; k <= n_steps; ++k)
         {
           const Eigen::VectorXd before = q;
-          AssertThrow(
-            solve_positions(equations, k * step, none, q).converged,
-            ExcParameter(
-              "Drivers",
-              "must be able to go through a full cycle with ideal joints, but "
-              "the mechanism locks between " +
-                driver_positions(mechanism, (k - 1) * step) + " and " +
-                driver_positions(mechanism, k * step) + ":" +
-                explain_end_of_motion(
-                  equations, (k - 1) * step, k * step, before) +
-                ". Are the links' lengths right?"));
+          if (!solve_positions(equations, k * step, none, q).converged)
+            {
+              const OpenConstraint worst =
+                find_open_constraint(equations, k * step, before);
+              throw ExcParameter(
+                "Drivers",
+                "must be able to go through a full cycle with ideal joints, "
+                "but the mechanism locks between " +
+                  driver_positions(mechanism, (k - 1) * step) + " and " +
+                  driver_positions(mechanism, k * step) + ", where " +
+                  worst.description + " " + worst.problem +
+                  ". Are the links' lengths right?");
+            }
           const DependentConstraints dependent =
-            find_dependent_constraints(equations, q, 1e-9);
+            find_dependent_constraints(equations, q, singular_threshold);
           AssertThrow(
             dependent.surplus == 0,
             ExcParameter("Drivers",
@@ -404,7 +517,7 @@ namespace Tribody
                      const Eigen::VectorXd   &q)
     {
       const DependentConstraints dependent =
-        find_dependent_constraints(equations, q, 1e-9);
+        find_dependent_constraints(equations, q, singular_threshold);
       AssertThrow(
         dependent.surplus == 0,
         ExcParameter("Joints",
@@ -468,11 +581,10 @@ namespace Tribody
       if (!solve_positions(equations, t_next, none, q_next).converged)
         {
           const OpenConstraint worst =
-            find_worst_gap(equations, t_next, q_next);
+            find_open_constraint(equations, t_next, q);
           return " shortly after the time " + significant_digits(t, 6) +
-                 " s there is no position any more in which " +
-                 worst.constraint->description + " is closed, " + worst.gap +
-                 " remains";
+                 " s there is no position any more: " + worst.description +
+                 " " + worst.problem;
         }
       // Looser than for redundancy: the motion ends near the singular position.
       const DependentConstraints dependent =

@@ -60,6 +60,10 @@ namespace Tribody
       Eigen::VectorXd
       compute_powers(const MechanismState &state) const;
 
+      // Of the forces and torques given as functions of time [W].
+      double
+      compute_applied_power(const MechanismState &state) const;
+
       void
       add_joint_powers(const unsigned int    joint,
                        const MechanismState &state,

@@ -31,10 +31,12 @@ namespace Tribody
       /**
        * f' and f'' by central differences of eighth order, from t - 4 h to
        * t + 4 h. From 0.1 s, the step h is divided by 4 until those of sixth
-       * order agree. For a function whose fastest part has the amplitude F and
-       * angular frequency w, the errors are below 1e-12 F w and 1e-11 F w^2
-       * (with w not below 1 rad/s). It must be smooth: across a kink, h falls
-       * to 0.1 us. @throws ExcRun where it has no finite values.
+       * order agree, and a value between the points too. For a function whose
+       * fastest part has the amplitude F and angular frequency w (at least
+       * 1 rad/s), the errors are below 2e-11 F w and 1e-9 F w^2 while
+       * w t < 1000; beyond, the rounding of t itself adds to them. It must be
+       * smooth: across a kink, h falls to 0.1 us. @throws ExcRun where it has
+       * no finite values.
        */
       std::array<double, 2>
       derivatives(const double t) const;
