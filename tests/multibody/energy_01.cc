@@ -180,7 +180,7 @@ oscillator()
   report_below("  error of the balance", account.relative_error(), 1e-4);
 
   Eigen::VectorXd forces(3);
-  equations.assemble_forces(end.q, end.v, {}, forces);
+  equations.assemble_forces(end.time, end.q, end.v, {}, forces);
   const Reactions reactions = compute_reactions(
     equations,
     end,
