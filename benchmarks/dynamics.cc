@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,16 +52,6 @@ struct Result
   // Of the whole run over its cycles [s].
   double seconds_per_cycle = 0.;
 };
-
-Case
-read(const std::string &directory,
-     const std::string &file,
-     const std::string &name)
-{
-  const Coupling::CaseParameters parameters =
-    Coupling::read_case(directory + "/" + file, {"Cycles=0"});
-  return {name, parameters.mechanism, parameters.dynamics, "crank_pin"};
-}
 
 // A row of n four-bar linkages: n + 1 bars of different lengths hang from the
 // ground, their ends joined by n couplers; one degree of freedom, which swings.
@@ -117,15 +108,29 @@ make_chain(const unsigned int n)
   return p;
 }
 
+// "validation", "0.5um", "5mm" or "chain<number of four-bars>".
 Case
-chain(const unsigned int n)
+make_case(const std::string &directory, const std::string &name)
 {
   Case result;
-  result.name      = "chain" + std::to_string(n);
-  result.mechanism = make_chain(n);
-  // About the time of one swing.
-  result.dynamics.cycle_duration = 2.;
-  result.joint                   = "pivot0";
+  result.name = name;
+  if (name.rfind("chain", 0) == 0)
+    {
+      result.mechanism = make_chain(std::stoi(name.substr(5)));
+      // About the time of one swing.
+      result.dynamics.cycle_duration = 2.;
+      result.joint                   = "pivot0";
+      return result;
+    }
+  const std::map<std::string, std::string> files = {
+    {"validation", "mukras2010_validation.prm"},
+    {"0.5um", "mukras2010_steel_0.5um_literal.prm"},
+    {"5mm", "mukras2010_steel_5mm_literal.prm"}};
+  const Coupling::CaseParameters parameters =
+    Coupling::read_case(directory + "/" + files.at(name), {"Cycles=0"});
+  result.mechanism = parameters.mechanism;
+  result.dynamics  = parameters.dynamics;
+  result.joint     = "crank_pin";
   return result;
 }
 
@@ -334,24 +339,16 @@ main(int argc, char **argv)
       const bool as_json = flag != arguments.end();
       if (as_json)
         arguments.erase(flag);
-      const std::string directory   = arguments.empty() ? "prm" : arguments[0];
-      const std::vector<Case> cases = {
-        read(directory, "mukras2010_validation.prm", "validation"),
-        read(directory, "mukras2010_steel_0.5um_literal.prm", "0.5um"),
-        read(directory, "mukras2010_steel_5mm_literal.prm", "5mm"),
-        chain(2),
-        chain(10),
-        chain(40)};
+      const std::string directory = arguments.empty() ? "prm" : arguments[0];
+      std::vector<std::string> names(arguments.begin() + !arguments.empty(),
+                                     arguments.end());
+      if (names.empty())
+        names = {"validation", "0.5um", "5mm", "chain2", "chain10", "chain40"};
       json all = json::array();
-      for (const Case &benchmark : cases)
+      for (const std::string &name : names)
         {
-          if (arguments.size() > 1 &&
-              std::find(arguments.begin() + 1,
-                        arguments.end(),
-                        benchmark.name) == arguments.end())
-            continue;
           json results;
-          measure(benchmark, as_json ? &results : nullptr);
+          measure(make_case(directory, name), as_json ? &results : nullptr);
           all.push_back(results);
         }
       if (as_json)
