@@ -86,19 +86,6 @@ namespace Tribody
 
 
 
-      // The speed at which friction changes its sign, v_0 of the tanh;
-      // infinite without friction.
-      double
-      friction_transition_speed(const FrictionLaw &law)
-      {
-        const double slope = compute_friction_ratio(law, 0.).d_sliding_speed;
-        constexpr double very_fast = 1e6;
-        return slope > 0 ? compute_friction_ratio(law, very_fast).value / slope
-                         : std::numeric_limits<double>::infinity();
-      }
-
-
-
       // Largest eigenvalue of the inverse mass that a force in the joint
       // meets, the other constraints holding.
       double
@@ -171,10 +158,9 @@ namespace Tribody
             scale.speed =
               std::min(scale.speed, scale.force / contact.d_penetration_rate);
           if (ideal[j].slowest <= 0 && ideal[j].fastest >= 0)
-            scale.speed =
-              std::min(scale.speed,
-                       transition_factor *
-                         friction_transition_speed(joint.friction_law));
+            scale.speed = std::min(scale.speed,
+                                   transition_factor * compute_transition_speed(
+                                                         joint.friction_law));
           scales.push_back(scale);
         }
       return scales;

@@ -148,7 +148,10 @@ namespace Tribody
 
         // The reaction is F_N (n + ratio k x n).
         double ratio =
-          compute_friction_ratio(joint.friction_law, contact.sliding_speed)
+          compute_friction_ratio(joint.friction_law,
+                                 contact.sliding_speed,
+                                 compute_steady_friction_state(
+                                   joint.friction_law, contact.sliding_speed))
             .value;
         if (force > 0)
           ratio += joint.tangential_damping * contact.swing_speed / force;
