@@ -51,35 +51,36 @@ namespace Tribody
 
 
     void
-    CycleRecorder::record(const unsigned int k, const MechanismState &state)
+    CycleRecorder::record(const unsigned int       k,
+                          const MechanismState    &state,
+                          const EquationsOfMotion &present)
     {
       times(k) = state.time;
       q.col(k) = state.q;
       v.col(k) = state.v;
       for (unsigned int j = 0; j < contacts.size(); ++j)
-        contacts[j][k] = equations.compute_contact(j,
-                                                   state.q,
-                                                   state.v,
-                                                   state.approach_speeds[j]);
-      record_forces(k, state);
+        contacts[j][k] = equations.compute_contact(j, state);
+      record_forces(k, state, present);
     }
 
 
 
     void
-    CycleRecorder::record_forces(const unsigned int    k,
-                                 const MechanismState &state)
+    CycleRecorder::record_forces(const unsigned int       k,
+                                 const MechanismState    &state,
+                                 const EquationsOfMotion &present)
     {
-      const Mechanism &mechanism = equations.mechanism();
+      const Mechanism &mechanism = present.mechanism();
       Eigen::VectorXd  applied(mechanism.n_coordinates());
-      equations.assemble_forces(state.q,
-                                state.v,
-                                state.approach_speeds,
-                                applied);
+      present.assemble_forces(state.q,
+                              state.v,
+                              state.approach_speeds,
+                              state.friction_states,
+                              applied);
       // Not the multipliers of the integrator: those are outside its error
       // test. These are exact for the given q and v.
       const Accelerations result =
-        compute_accelerations(equations,
+        compute_accelerations(present,
                               state.time,
                               ConstraintOffsets(mechanism.n_constraints()),
                               state.q,
@@ -90,13 +91,18 @@ namespace Tribody
           const JointEntry &joint = mechanism.joints()[j];
           if (joint.has_clearance)
             forces.col(k).segment<2>(2 * j) = contacts[joint.index][k].force();
+          else if (joint.model == JointModel::flying)
+            forces.col(k).segment<2>(2 * j).setZero();
           else
             {
               const auto &[constraint, row] =
                 mechanism.constraints()[joint.index];
+              Eigen::Vector2d multipliers = Eigen::Vector2d::Zero();
+              multipliers.head(constraint->n_equations) =
+                result.multipliers.segment(row, constraint->n_equations);
               forces.col(k).segment<2>(2 * j) =
                 constraint->reaction_force(constraint->bodies.gather(state.q),
-                                           result.multipliers.segment<2>(row));
+                                           multipliers);
             }
         }
     }
@@ -181,6 +187,49 @@ namespace Tribody
 
 
     void
+    CycleRecorder::fill_rigid_clearance(const unsigned int joint,
+                                        JointDutyCycle    &result) const
+    {
+      const JointEntry &entry = equations.mechanism().joints()[joint];
+      // Where the force points; for a pin that flies, where e does.
+      fill_ideal(joint, result);
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          const unsigned int    k = 2 * s + 1;
+          const Eigen::Vector2d e =
+            entry.link->eccentricity(entry.bodies.gather(q.col(k)));
+          result.eccentricity(s) = e.norm();
+          result.penetration(s)  = e.norm() - entry.link->length;
+          if (result.normal_force(s) > 0)
+            continue;
+          const double angle = std::atan2(e.y(), e.x());
+          result.contact_angle_bushing(s) =
+            wrapped(angle - angle_of(entry.bodies.second, q, k));
+          result.contact_angle_pin(s) =
+            wrapped(angle - angle_of(entry.bodies.first, q, k));
+          if (entry.model == JointModel::flying)
+            result.state[s] = ContactState::free;
+        }
+    }
+
+
+
+    unsigned int
+    CycleRecorder::event_index(const unsigned int joint) const
+    {
+      const Mechanism  &mechanism = equations.mechanism();
+      const JointEntry &entry     = mechanism.joints()[joint];
+      if (entry.has_clearance)
+        return entry.index;
+      unsigned int k = 0;
+      while (mechanism.impact_joints()[k].joint != joint)
+        ++k;
+      return mechanism.clearance_joints().size() + k;
+    }
+
+
+
+    void
     CycleRecorder::fill_sliding(const unsigned int joint,
                                 JointDutyCycle    &result) const
     {
@@ -204,7 +253,7 @@ namespace Tribody
                                const std::vector<ContactEvent> &events,
                                JointDutyCycle                  &result) const
     {
-      const unsigned int index    = equations.mechanism().joints()[joint].index;
+      const unsigned int index    = event_index(joint);
       const double       interval = period / n_samples;
       double             onset    = -std::numeric_limits<double>::infinity();
       for (const ContactEvent &event : events)
@@ -222,9 +271,13 @@ namespace Tribody
           result.n_losses += in_cycle;
           if (event.time - onset >= interval)
             continue;
-          // At most one sample lies in such a short contact.
-          const double s = std::ceil((onset - times(1)) / interval);
-          if (s >= 0 && s < n_samples && times(1) + s * interval <= event.time)
+          // At most one sample lies in such a short contact. One without
+          // duration counts for the sample whose interval it is in.
+          const bool   is_instant = (event.time == onset);
+          const double place      = (onset - times(1)) / interval;
+          const double s = is_instant ? std::round(place) : std::ceil(place);
+          if (s >= 0 && s < n_samples &&
+              (is_instant || times(1) + s * interval <= event.time))
             result.state[static_cast<unsigned int>(s)] = ContactState::impact;
         }
     }
@@ -293,6 +346,13 @@ namespace Tribody
             {
               fill_contact(j, joint);
               fill_events(j, events, joint);
+            }
+          else if (entry.link != nullptr)
+            {
+              joint.has_clearance = true;
+              fill_rigid_clearance(j, joint);
+              if (entry.model == JointModel::flying)
+                fill_events(j, events, joint);
             }
           else if (entry.is_revolute)
             fill_ideal(j, joint);

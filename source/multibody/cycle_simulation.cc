@@ -2,8 +2,8 @@
 #include <tribody/multibody/cycle_recorder.h>
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/intermittent_motion.h>
 #include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/motion_integrator.h>
 #include <tribody/multibody/significant_digits.h>
 #include <tribody/multibody/slow_motion_start.h>
 
@@ -94,7 +94,7 @@ namespace Tribody
                          state.q);
           state.q = motion.q;
           state.v = motion.v;
-          recorder.record(k, state);
+          recorder.record(k, state, equations);
         }
       DutyCycle cycle          = recorder.make_duty_cycle({});
       cycle.settling.n_cycles  = 1;
@@ -107,8 +107,13 @@ namespace Tribody
     StartingState
     CycleSimulation::compute_start(const EquationsOfMotion &equations) const
     {
-      StartingState start = compute_centred_start(closed_equations, 0.);
-      if (parameters.start == "centred" || mechanism.clearance_joints().empty())
+      StartingState start =
+        compute_centred_start(equations, closed_equations, 0.);
+      const auto &joints = mechanism.joints();
+      if (parameters.start == "centred" ||
+          std::all_of(joints.begin(),
+                      joints.end(),
+                      [](const JointEntry &joint) { return joint.is_ideal(); }))
         return start;
       if (closed_mechanism.n_degrees_of_freedom() != 0)
         {
@@ -144,9 +149,9 @@ namespace Tribody
 
 
     unsigned long
-    CycleSimulation::record_cycle(const double      begins,
-                                  MotionIntegrator &integrator,
-                                  CycleRecorder    &recorder) const
+    CycleSimulation::record_cycle(const double        begins,
+                                  IntermittentMotion &integrator,
+                                  CycleRecorder      &recorder) const
     {
       const unsigned int  n       = parameters.samples_per_cycle;
       const unsigned long n_steps = integrator.statistics().n_steps;
@@ -154,10 +159,12 @@ namespace Tribody
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
           // The first cycle lacks the half interval before time 0.
-          const double t = std::max(0., begins + k * period / (2 * n));
-          recorder.record(k,
-                          integrator.advance_to(
-                            t, parameters.maximum_steps_per_cycle, n_taken));
+          const double          t = std::max(0., begins + k * period / (2 * n));
+          const MechanismState &state =
+            integrator.advance_to(t,
+                                  parameters.maximum_steps_per_cycle,
+                                  n_taken);
+          recorder.record(k, state, integrator.present_equations());
           n_taken = integrator.statistics().n_steps - n_steps;
         }
       return n_taken;
@@ -166,9 +173,9 @@ namespace Tribody
 
 
     SettlingReport
-    CycleSimulation::settle(MotionIntegrator &integrator,
-                            CycleRecorder    &recorder,
-                            unsigned long    &n_steps_in_cycle) const
+    CycleSimulation::settle(IntermittentMotion &integrator,
+                            CycleRecorder      &recorder,
+                            unsigned long      &n_steps_in_cycle) const
     {
       const double  half_interval = period / (2 * parameters.samples_per_cycle);
       CycleRecorder before(recorder);
@@ -202,7 +209,7 @@ namespace Tribody
       MotionTolerances tolerances =
         make_tolerances(mechanism, scales, parameters);
       tolerances.maximum_step = period / parameters.samples_per_cycle;
-      MotionIntegrator    integrator(equations, tolerances);
+      IntermittentMotion  integrator(equations, tolerances);
       const StartingState start = compute_start(equations);
       integrator.start(start.state);
 
@@ -224,7 +231,7 @@ namespace Tribody
       cycle.statistics       = integrator.statistics();
       cycle.n_steps_in_cycle = n_steps_in_cycle;
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)
-        if (cycle.joints[j].has_clearance)
+        if (mechanism.joints()[j].has_clearance)
           cycle.joints[j].peak_force_since_start =
             integrator.peak_forces()[mechanism.joints()[j].index];
         else

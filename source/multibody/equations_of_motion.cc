@@ -2,11 +2,26 @@
 
 #include <tribody/multibody/equations_of_motion.h>
 #include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/mechanism_state.h>
 
 namespace Tribody
 {
   namespace Multibody
   {
+    namespace
+    {
+      // Of all states, the one of this joint; zero if its law has none.
+      double
+      friction_state(const ClearanceJoint                    &joint,
+                     const Eigen::Ref<const Eigen::VectorXd> &z)
+      {
+        return joint.friction_state_index < 0 ? 0.
+                                              : z(joint.friction_state_index);
+      }
+    } // namespace
+
+
+
     EquationsOfMotion::EquationsOfMotion(
       const Mechanism                     &mechanism,
       const std::vector<ClearanceProfile> &clearances)
@@ -136,6 +151,22 @@ namespace Tribody
       const std::vector<double> &approach_speeds,
       Vector                     forces) const
     {
+      Assert(system.n_friction_states() == 0,
+             dealii::ExcMessage("The states of friction are missing."));
+      const Eigen::VectorXd no_states;
+      assemble_forces(q, v, approach_speeds, no_states, forces);
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_forces(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      Vector                     forces) const
+    {
       forces = system.weights();
       for (const Spring &spring : system.springs())
         spring.bodies.add_to(
@@ -146,10 +177,74 @@ namespace Tribody
         {
           const ClearanceJoint &joint   = system.clearance_joints()[j];
           const PairVector      local_q = joint.bodies.gather(q);
-          const JointContact    contact = joint.compute_contact(
-            local_q, joint.bodies.gather(v), clearances[j], approach_speeds[j]);
+          const JointContact    contact =
+            joint.compute_contact(local_q,
+                                  joint.bodies.gather(v),
+                                  clearances[j],
+                                  approach_speeds[j],
+                                  friction_state(joint, z));
           if (contact.penetration > 0)
             joint.bodies.add_to(joint.compute_force(local_q, contact), forces);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_friction_state_rates(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      Vector                     rates) const
+    {
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint = system.clearance_joints()[j];
+          const int             k     = joint.friction_state_index;
+          if (k >= 0)
+            rates(k) = joint.compute_friction_state_rate(
+              compute_contact(j, q, v, approach_speeds[j], z(k)), z(k));
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::subtract_friction_state_derivatives(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      Matrix                     minus_force_d_state,
+      Matrix                     minus_rate_d_position,
+      Matrix                     minus_rate_d_velocity,
+      Matrix                     minus_rate_d_state) const
+    {
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint = system.clearance_joints()[j];
+          const int             k     = joint.friction_state_index;
+          if (k < 0)
+            continue;
+          const ClearanceForce f =
+            joint.compute_force_with_derivatives(joint.bodies.gather(q),
+                                                 joint.bodies.gather(v),
+                                                 clearances[j],
+                                                 approach_speeds[j],
+                                                 z(k));
+          joint.bodies.add_to(PairVector(-f.d_state),
+                              minus_force_d_state.col(k));
+          for (const int l : {0, 1})
+            if (joint.bodies.body(l) != ground_body)
+              {
+                const int first = 3 * joint.bodies.body(l);
+                minus_rate_d_position.block<1, 3>(k, first) -=
+                  f.rate_d_position.segment<3>(3 * l);
+                minus_rate_d_velocity.block<1, 3>(k, first) -=
+                  f.rate_d_velocity.segment<3>(3 * l);
+              }
+          minus_rate_d_state(k, k) -= f.rate_d_state;
         }
     }
 
@@ -160,6 +255,7 @@ namespace Tribody
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
+      ConstVector                z,
       Matrix                     minus_d_position,
       Matrix                     minus_d_velocity) const
     {
@@ -178,7 +274,9 @@ namespace Tribody
                    joint.compute_force_with_derivatives(joint.bodies.gather(q),
                                                         joint.bodies.gather(v),
                                                         clearances[j],
-                                                        approach_speeds[j]));
+                                                        approach_speeds[j],
+                                                        friction_state(joint,
+                                                                       z)));
         }
     }
 
@@ -198,13 +296,29 @@ namespace Tribody
     EquationsOfMotion::compute_contact(const unsigned int joint,
                                        ConstVector        q,
                                        ConstVector        v,
-                                       const double       approach_speed) const
+                                       const double       approach_speed,
+                                       const double       friction_state) const
     {
       const ClearanceJoint &j = system.clearance_joints()[joint];
       return j.compute_contact(j.bodies.gather(q),
                                j.bodies.gather(v),
                                clearances[joint],
-                               approach_speed);
+                               approach_speed,
+                               friction_state);
+    }
+
+
+
+    JointContact
+    EquationsOfMotion::compute_contact(const unsigned int    joint,
+                                       const MechanismState &state) const
+    {
+      return compute_contact(joint,
+                             state.q,
+                             state.v,
+                             state.approach_speeds[joint],
+                             friction_state(system.clearance_joints()[joint],
+                                            state.friction_states));
     }
 
 

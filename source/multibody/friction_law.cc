@@ -166,7 +166,7 @@ namespace Tribody
     std::vector<std::string>
     friction_law_names()
     {
-      return {"none", "Coulomb regularised", "Ambrosio", "Stribeck"};
+      return {"none", "Coulomb regularised", "Ambrosio", "Stribeck", "LuGre"};
     }
 
 

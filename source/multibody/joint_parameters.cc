@@ -33,10 +33,18 @@ namespace Tribody
           prm,
           "Model",
           p.model,
-          {"ideal", "clearance"},
+          {"ideal", "clearance", "massless link", "impact"},
           "Revolute joint: 'ideal' keeps the two centres together; with "
           "'clearance' the pin moves freely in the bushing until it touches "
-          "it, and contact and friction forces act then.");
+          "it, and contact and friction forces act then. The others are rigid "
+          "and for comparison; they cannot wear a bushing. 'massless link' "
+          "keeps the centres at the distance of the clearance, without "
+          "friction, and the reaction is the force along that link. 'impact': "
+          "the pin flies freely; where it hits the bore, the velocities jump "
+          "by momentum balance with the restitution coefficient (and the "
+          "friction coefficient unless the friction law is 'none'); when it "
+          "hits more slowly than the capture speed, it follows the bore, "
+          "without friction, until the force would pull.");
         Parameters::add_quantity(
           prm, "Pin radius", p.pin_radius, "m", "Radius R_i of the pin.", "mm");
         Parameters::add_quantity(prm,
@@ -82,7 +90,8 @@ namespace Tribody
           p.restitution_coefficient,
           "",
           "e_r of all laws with losses but 'spring-damper', between 0 and 1 "
-          "(no loss). It is the laws' parameter: for values below 0.9 a free "
+          "(no loss), and of the model 'impact', which takes it as it is. "
+          "Otherwise it is the laws' parameter: for values below 0.9 a free "
           "impact leaves noticeably faster than e_r says; under 'Flores' it "
           "leaves at e_r within 0.05.");
         Parameters::add_quantity(prm,
@@ -120,6 +129,15 @@ namespace Tribody
           "bushing's material which is bonded to its back, (1 - nu) E/((1 + "
           "nu) (1 - 2 nu)).",
           "GPa");
+        Parameters::add_quantity(
+          prm,
+          "Capture speed",
+          p.capture_speed,
+          "m/s",
+          "Model 'impact': approach speed below which the pin does not bounce "
+          "any more but follows the bore. Without it the impacts, each weaker "
+          "than the one before, would have no end.",
+          "mm/s");
         Parameters::add_quantity(
           prm,
           "Minimum approach speed",
@@ -253,12 +271,17 @@ namespace Tribody
       void
       check_positive(const std::string &path,
                      const double       value,
-                     const std::string &unit)
+                     const std::string &unit,
+                     const std::string &shown_unit = "")
       {
         AssertThrow(value > 0,
                     ExcParameter(path,
                                  "must be positive, not " +
-                                   Units::to_string(value, unit, unit)));
+                                   Units::to_string(value,
+                                                    unit,
+                                                    shown_unit.empty()
+                                                      ? unit
+                                                      : shown_unit)));
       }
 
 
@@ -373,23 +396,41 @@ namespace Tribody
 
 
       void
-      check_clearance_joint(const std::string &path, const JointParameters &p)
+      check_restitution(const std::string &path, const JointParameters &p)
       {
-        AssertThrow(p.pin_radius > 0,
-                    ExcParameter(path + "/Pin radius",
-                                 "must be positive, not " +
-                                   Units::to_string(p.pin_radius, "m", "mm")));
+        AssertThrow(
+          p.restitution_coefficient > 0 && p.restitution_coefficient <= 1,
+          ExcParameter(path + "/Restitution coefficient",
+                       "must be above 0 and at most 1, not " +
+                         Units::to_string(p.restitution_coefficient, "", "")));
+      }
+
+
+
+      void
+      check_radii(const std::string &path, const JointParameters &p)
+      {
+        check_positive(path + "/Pin radius", p.pin_radius, "m", "mm");
         AssertThrow(
           p.bushing_radius >= p.pin_radius,
           ExcParameter(path + "/Pin radius",
                        "must be at most the bushing's radius of " +
                          Units::to_string(p.bushing_radius, "m", "mm") +
                          ", not " + Units::to_string(p.pin_radius, "m", "mm")));
-        AssertThrow(
-          p.restitution_coefficient > 0 && p.restitution_coefficient <= 1,
-          ExcParameter(path + "/Restitution coefficient",
-                       "must be above 0 and at most 1, not " +
-                         Units::to_string(p.restitution_coefficient, "", "")));
+        AssertThrow(p.has_clearance() || p.bushing_radius > p.pin_radius,
+                    ExcParameter(path + "/Model",
+                                 "'" + p.model +
+                                   "' needs a clearance: the bushing's radius "
+                                   "must be larger than the pin's, " +
+                                   Units::to_string(p.pin_radius, "m", "mm")));
+      }
+
+
+
+      void
+      check_clearance_joint(const std::string &path, const JointParameters &p)
+      {
+        check_restitution(path, p);
         check_positive(path + "/Minimum approach speed",
                        p.minimum_approach_speed,
                        "m/s");
@@ -400,6 +441,18 @@ namespace Tribody
         p.bushing_material.check();
         check_contact_law(path, p);
         check_friction_law(path, p);
+      }
+
+
+
+      void
+      check_impact_joint(const std::string &path, const JointParameters &p)
+      {
+        check_restitution(path, p);
+        check_positive(path + "/Capture speed", p.capture_speed, "m/s", "mm/s");
+        check_not_negative(path + "/Friction coefficient",
+                           p.friction_coefficient,
+                           "");
       }
     } // namespace
 
@@ -429,8 +482,13 @@ namespace Tribody
     JointParameters::check() const
     {
       // Radii and laws of an ideal joint are not used: nothing to check.
+      const std::string path = "Joint " + name;
+      if (has_gap())
+        check_radii(path, *this);
       if (has_clearance())
-        check_clearance_joint("Joint " + name, *this);
+        check_clearance_joint(path, *this);
+      else if (has_gap() && model != "massless link")
+        check_impact_joint(path, *this);
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -26,9 +26,12 @@ namespace Tribody
                     const unsigned int       n_samples,
                     const double             period);
 
-      /// Record number @p k, from 0 to 2 n.
+      /// Record number @p k, from 0 to 2 n. @p present are the equations in
+      /// that state, which know the pins that follow their bores.
       void
-      record(const unsigned int k, const MechanismState &state);
+      record(const unsigned int       k,
+             const MechanismState    &state,
+             const EquationsOfMotion &present);
 
       /// Exchange what has been recorded with @p other, of the same mechanism
       /// and the same times.
@@ -46,13 +49,24 @@ namespace Tribody
 
     private:
       void
-      record_forces(const unsigned int k, const MechanismState &state);
+      record_forces(const unsigned int       k,
+                    const MechanismState    &state,
+                    const EquationsOfMotion &present);
 
       void
       fill_contact(const unsigned int joint, JointDutyCycle &result) const;
 
       void
       fill_ideal(const unsigned int joint, JointDutyCycle &result) const;
+
+      // With a massless link, or with impacts.
+      void
+      fill_rigid_clearance(const unsigned int joint,
+                           JointDutyCycle    &result) const;
+
+      // The number of @p joint in contact events.
+      unsigned int
+      event_index(const unsigned int joint) const;
 
       void
       fill_sliding(const unsigned int joint, JointDutyCycle &result) const;

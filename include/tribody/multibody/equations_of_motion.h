@@ -13,6 +13,7 @@ namespace Tribody
   namespace Multibody
   {
     class Mechanism;
+    struct MechanismState;
 
     /// Kinetic and potential energy [J]. Contacts are not included.
     struct Energy
@@ -100,12 +101,42 @@ namespace Tribody
                       const std::vector<double> &approach_speeds,
                       Vector                     forces) const;
 
+      /// The same for a mechanism whose friction laws have the states @p z.
+      void
+      assemble_forces(ConstVector                q,
+                      ConstVector                v,
+                      const std::vector<double> &approach_speeds,
+                      ConstVector                z,
+                      Vector                     forces) const;
+
+      /// z', the rates of the states of the friction laws.
+      void
+      assemble_friction_state_rates(ConstVector                q,
+                                    ConstVector                v,
+                                    const std::vector<double> &approach_speeds,
+                                    ConstVector                z,
+                                    Vector                     rates) const;
+
+      /// Subtract dQ/dz from @p minus_force_d_state, and the derivatives of z'
+      /// from the others.
+      void
+      subtract_friction_state_derivatives(
+        ConstVector                q,
+        ConstVector                v,
+        const std::vector<double> &approach_speeds,
+        ConstVector                z,
+        Matrix                     minus_force_d_state,
+        Matrix                     minus_rate_d_position,
+        Matrix                     minus_rate_d_velocity,
+        Matrix                     minus_rate_d_state) const;
+
       /// Subtract dQ/dq from @p minus_d_position and dQ/dv from
       /// @p minus_d_velocity.
       void
       subtract_force_derivatives(ConstVector                q,
                                  ConstVector                v,
                                  const std::vector<double> &approach_speeds,
+                                 ConstVector                z,
                                  Matrix                     minus_d_position,
                                  Matrix minus_d_velocity) const;
 
@@ -118,7 +149,13 @@ namespace Tribody
       compute_contact(const unsigned int joint,
                       ConstVector        q,
                       ConstVector        v,
-                      const double       approach_speed) const;
+                      const double       approach_speed,
+                      const double       friction_state = 0.) const;
+
+      /// The same in a state of the mechanism.
+      JointContact
+      compute_contact(const unsigned int    joint,
+                      const MechanismState &state) const;
 
       Energy
       compute_energy(ConstVector q, ConstVector v) const;

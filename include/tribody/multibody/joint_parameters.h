@@ -28,7 +28,8 @@ namespace Tribody
       std::string pin_marker = "ground.O";
       /// Centre of the bushing, "<body>.<marker>".
       std::string bushing_marker = "ground.O";
-      /// "ideal" or "clearance".
+      /// "ideal", "clearance", "massless link" or "impact". IntermittentMotion
+      /// also uses "following": "impact" while the pin follows the bore.
       std::string model = "ideal";
       /// Pin radius R_i [m].
       double pin_radius = 9.525e-3;
@@ -55,6 +56,9 @@ namespace Tribody
       double restitution_coefficient = 0.8;
       /// Floor of the approach speed at which a contact began [m/s].
       double minimum_approach_speed = 10e-3;
+      /// Approach speed [m/s] below which a pin does not bounce any more
+      /// (model "impact").
+      double capture_speed = 1e-3;
       /// One of friction_law_names().
       std::string friction_law = "Coulomb regularised";
       /// Friction coefficient [-].
@@ -103,6 +107,13 @@ namespace Tribody
       has_clearance() const
       {
         return is_revolute() && model == "clearance";
+      }
+
+      /// Whether the radii of pin and bushing matter to the motion.
+      bool
+      has_gap() const
+      {
+        return is_revolute() && model != "ideal";
       }
     };
   } // namespace Multibody
