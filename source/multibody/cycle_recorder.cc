@@ -1,4 +1,5 @@
 #include <tribody/multibody/cycle_recorder.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/equations_of_motion.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
@@ -43,10 +44,21 @@ namespace Tribody
       , times(2 * n_samples + 1)
       , q(equations.mechanism().n_coordinates(), 2 * n_samples + 1)
       , v(q.rows(), q.cols())
+      , a(q.rows(), q.cols())
       , forces(2 * equations.mechanism().joints().size(), 2 * n_samples + 1)
+      , reactions(2 * n_samples + 1)
+      , energies(2 * n_samples + 1)
       , contacts(equations.mechanism().clearance_joints().size(),
                  std::vector<JointContact>(2 * n_samples + 1))
     {}
+
+
+
+    void
+    CycleRecorder::set_energy_account(const EnergyAccount *account)
+    {
+      energy_account = account;
+    }
 
 
 
@@ -55,55 +67,51 @@ namespace Tribody
                           const MechanismState    &state,
                           const EquationsOfMotion &present)
     {
-      times(k) = state.time;
-      q.col(k) = state.q;
-      v.col(k) = state.v;
-      for (unsigned int j = 0; j < contacts.size(); ++j)
-        contacts[j][k] = equations.compute_contact(j, state);
-      record_forces(k, state, present);
-    }
-
-
-
-    void
-    CycleRecorder::record_forces(const unsigned int       k,
-                                 const MechanismState    &state,
-                                 const EquationsOfMotion &present)
-    {
       const Mechanism &mechanism = present.mechanism();
       Eigen::VectorXd  applied(mechanism.n_coordinates());
-      present.assemble_forces(state.q,
+      present.assemble_forces(state.time,
+                              state.q,
                               state.v,
                               state.approach_speeds,
                               state.friction_states,
                               applied);
       // Not the multipliers of the integrator: those are outside its error
       // test. These are exact for the given q and v.
-      const Accelerations result =
-        compute_accelerations(present,
-                              state.time,
-                              ConstraintOffsets(mechanism.n_constraints()),
-                              state.q,
-                              state.v,
-                              applied);
-      for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
+      record(k,
+             state,
+             compute_accelerations(present,
+                                   state.time,
+                                   ConstraintOffsets(mechanism.n_constraints()),
+                                   state.q,
+                                   state.v,
+                                   applied),
+             present);
+    }
+
+
+
+    void
+    CycleRecorder::record(const unsigned int       k,
+                          const MechanismState    &state,
+                          const Accelerations     &accelerations,
+                          const EquationsOfMotion &present)
+    {
+      times(k) = state.time;
+      q.col(k) = state.q;
+      v.col(k) = state.v;
+      a.col(k) = accelerations.a;
+      for (unsigned int j = 0; j < contacts.size(); ++j)
+        contacts[j][k] = equations.compute_contact(j, state);
+      reactions[k] = compute_reactions(present, state, accelerations);
+      for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
+        forces.col(k).segment<2>(2 * j) = reactions[k].joints.col(j).head<2>();
+      if (energy_account != nullptr)
+        energies[k] = energy_account->now();
+      else
         {
-          const JointEntry &joint = mechanism.joints()[j];
-          if (joint.has_clearance)
-            forces.col(k).segment<2>(2 * j) = contacts[joint.index][k].force();
-          else if (joint.model == JointModel::flying)
-            forces.col(k).segment<2>(2 * j).setZero();
-          else
-            {
-              const auto &[constraint, row] =
-                mechanism.constraints()[joint.index];
-              Eigen::Vector2d multipliers = Eigen::Vector2d::Zero();
-              multipliers.head(constraint->n_equations) =
-                result.multipliers.segment(row, constraint->n_equations);
-              forces.col(k).segment<2>(2 * j) =
-                constraint->reaction_force(constraint->bodies.gather(state.q),
-                                           multipliers);
-            }
+          const Energy energy   = equations.compute_energy(state.q, state.v);
+          energies[k].kinetic   = energy.kinetic;
+          energies[k].potential = energy.potential;
         }
     }
 
@@ -115,7 +123,10 @@ namespace Tribody
       times.swap(other.times);
       q.swap(other.q);
       v.swap(other.v);
+      a.swap(other.a);
       forces.swap(other.forces);
+      reactions.swap(other.reactions);
+      energies.swap(other.energies);
       contacts.swap(other.contacts);
     }
 
@@ -253,31 +264,43 @@ namespace Tribody
                                const std::vector<ContactEvent> &events,
                                JointDutyCycle                  &result) const
     {
-      const unsigned int index    = event_index(joint);
-      const double       interval = period / n_samples;
-      double             onset    = -std::numeric_limits<double>::infinity();
-      for (const ContactEvent &event : events)
+      const unsigned int index = event_index(joint);
+      const bool         is_in_contact_at_end =
+        equations.mechanism().joints()[joint].has_clearance
+                  ? contacts[index][2 * n_samples].penetration > 0
+                  : forces.col(2 * n_samples).segment<2>(2 * joint).norm() > 0;
+      const double interval = period / n_samples;
+      const double begin    = times(0);
+      const double end      = times(2 * n_samples);
+      result.contacts =
+        list_contacts(events,
+                      index,
+                      {begin, end, 0., interval, is_in_contact_at_end});
+      result.state_shares = {{1., 0., 0.}};
+      for (ContactInterval &contact : result.contacts)
         {
-          if (event.joint != index)
-            continue;
-          const bool in_cycle =
-            event.time >= times(0) && event.time < times(2 * n_samples);
-          if (event.is_onset)
-            {
-              onset = event.time;
-              result.n_onsets += in_cycle;
-              continue;
-            }
-          result.n_losses += in_cycle;
-          if (event.time - onset >= interval)
+          const double share =
+            (std::min(contact.loss, end) - std::max(contact.onset, begin)) /
+            (end - begin);
+          result.state_shares[0] -= share;
+          result.state_shares[static_cast<unsigned int>(contact.state)] +=
+            share;
+          result.n_onsets += contact.has_onset && contact.onset >= begin;
+          result.n_losses += contact.has_loss && contact.loss < end;
+          for (unsigned int k = 0; k < times.size() && !contact.has_loss; ++k)
+            if (times(k) >= contact.onset)
+              contact.peak_force =
+                std::max(contact.peak_force,
+                         forces.col(k).segment<2>(2 * joint).norm());
+          if (contact.state != ContactState::impact)
             continue;
           // At most one sample lies in such a short contact. One without
           // duration counts for the sample whose interval it is in.
-          const bool   is_instant = (event.time == onset);
-          const double place      = (onset - times(1)) / interval;
+          const bool   is_instant = (contact.loss == contact.onset);
+          const double place      = (contact.onset - times(1)) / interval;
           const double s = is_instant ? std::round(place) : std::ceil(place);
           if (s >= 0 && s < n_samples &&
-              (is_instant || times(1) + s * interval <= event.time))
+              (is_instant || times(1) + s * interval <= contact.loss))
             result.state[static_cast<unsigned int>(s)] = ContactState::impact;
         }
     }
@@ -301,6 +324,116 @@ namespace Tribody
 
 
 
+    JointDutyCycle
+    CycleRecorder::make_joint(const unsigned int               j,
+                              const std::vector<ContactEvent> &events) const
+    {
+      const JointEntry     &entry = equations.mechanism().joints()[j];
+      const Eigen::VectorXd zero  = Eigen::VectorXd::Zero(n_samples);
+      JointDutyCycle        joint;
+      joint.name             = entry.name;
+      joint.is_revolute      = entry.is_revolute;
+      joint.has_clearance    = entry.has_clearance;
+      joint.residual_ringing = compute_ringing(j);
+      for (Eigen::VectorXd *values : {&joint.force_x,
+                                      &joint.force_y,
+                                      &joint.moment,
+                                      &joint.point_x,
+                                      &joint.point_y,
+                                      &joint.normal_force,
+                                      &joint.friction_force,
+                                      &joint.contact_angle_bushing,
+                                      &joint.contact_angle_pin,
+                                      &joint.sliding_increment,
+                                      &joint.eccentricity,
+                                      &joint.penetration})
+        *values = zero;
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          const Reactions &r = reactions[2 * s + 1];
+          joint.force_x(s)   = r.joints(0, j);
+          joint.force_y(s)   = r.joints(1, j);
+          joint.moment(s)    = r.joints(2, j);
+          joint.point_x(s)   = r.joint_points(0, j);
+          joint.point_y(s)   = r.joint_points(1, j);
+        }
+      joint.state.assign(n_samples, ContactState::following);
+      if (entry.is_revolute)
+        fill_sliding(j, joint);
+      if (entry.has_clearance)
+        {
+          fill_contact(j, joint);
+          fill_events(j, events, joint);
+        }
+      else if (entry.link != nullptr)
+        {
+          joint.has_clearance = true;
+          fill_rigid_clearance(j, joint);
+          if (entry.model == JointModel::flying)
+            fill_events(j, events, joint);
+        }
+      else if (entry.is_revolute)
+        fill_ideal(j, joint);
+      return joint;
+    }
+
+
+
+    std::vector<DriverDutyCycle>
+    CycleRecorder::make_drivers() const
+    {
+      std::vector<DriverDutyCycle> drivers;
+      for (const auto &parameters : equations.mechanism().parameters().drivers)
+        {
+          const unsigned int d = drivers.size();
+          DriverDutyCycle    driver;
+          driver.name = parameters.name;
+          for (Eigen::VectorXd *values : {&driver.force_x,
+                                          &driver.force_y,
+                                          &driver.moment,
+                                          &driver.power})
+            values->resize(n_samples);
+          for (unsigned int s = 0; s < n_samples; ++s)
+            {
+              const Reactions &r = reactions[2 * s + 1];
+              driver.force_x(s)  = r.drivers(0, d);
+              driver.force_y(s)  = r.drivers(1, d);
+              driver.moment(s)   = r.drivers(2, d);
+              driver.power(s)    = r.driver_powers(d);
+            }
+          drivers.push_back(driver);
+        }
+      return drivers;
+    }
+
+
+
+    EnergyHistory
+    CycleRecorder::make_energy() const
+    {
+      EnergyHistory             history;
+      std::vector<EnergyRecord> changes;
+      for (const EnergyRecord &record : energies)
+        changes.push_back(record.since(energies.front()));
+      history.kinetic.resize(n_samples);
+      history.potential.resize(n_samples);
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          history.kinetic(s)   = energies[2 * s + 1].kinetic;
+          history.potential(s) = energies[2 * s + 1].potential;
+          history.samples.push_back(changes[2 * s + 1]);
+        }
+      history.cycle = changes.back();
+      if (energy_account != nullptr)
+        {
+          history.relative_error             = balance_relative_error(changes);
+          history.relative_error_since_start = energy_account->relative_error();
+        }
+      return history;
+    }
+
+
+
     DutyCycle
     CycleRecorder::make_duty_cycle(
       const std::vector<ContactEvent> &events) const
@@ -316,48 +449,13 @@ namespace Tribody
       cycle.time   = at_samples(times.transpose()).transpose();
       cycle.phase =
         Eigen::VectorXd::LinSpaced(n_samples, 0., 360. - 360. / n_samples);
-      cycle.coordinates = at_samples(q);
-      cycle.velocities  = at_samples(v);
-
-      const Eigen::MatrixXd force_samples = at_samples(forces);
+      cycle.coordinates   = at_samples(q);
+      cycle.velocities    = at_samples(v);
+      cycle.accelerations = at_samples(a);
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
-        {
-          const JointEntry     &entry = equations.mechanism().joints()[j];
-          const Eigen::VectorXd zero  = Eigen::VectorXd::Zero(n_samples);
-          JointDutyCycle        joint;
-          joint.name             = entry.name;
-          joint.is_revolute      = entry.is_revolute;
-          joint.has_clearance    = entry.has_clearance;
-          joint.force_x          = force_samples.row(2 * j);
-          joint.force_y          = force_samples.row(2 * j + 1);
-          joint.residual_ringing = compute_ringing(j);
-          for (Eigen::VectorXd *values : {&joint.normal_force,
-                                          &joint.friction_force,
-                                          &joint.contact_angle_bushing,
-                                          &joint.contact_angle_pin,
-                                          &joint.sliding_increment,
-                                          &joint.eccentricity,
-                                          &joint.penetration})
-            *values = zero;
-          joint.state.assign(n_samples, ContactState::following);
-          if (entry.is_revolute)
-            fill_sliding(j, joint);
-          if (entry.has_clearance)
-            {
-              fill_contact(j, joint);
-              fill_events(j, events, joint);
-            }
-          else if (entry.link != nullptr)
-            {
-              joint.has_clearance = true;
-              fill_rigid_clearance(j, joint);
-              if (entry.model == JointModel::flying)
-                fill_events(j, events, joint);
-            }
-          else if (entry.is_revolute)
-            fill_ideal(j, joint);
-          cycle.joints.push_back(joint);
-        }
+        cycle.joints.push_back(make_joint(j, events));
+      cycle.drivers = make_drivers();
+      cycle.energy  = make_energy();
       return cycle;
     }
   } // namespace Multibody

@@ -2,10 +2,12 @@
 #include <tribody/multibody/cycle_recorder.h>
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/intermittent_motion.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/significant_digits.h>
 #include <tribody/multibody/slow_motion_start.h>
+#include <tribody/multibody/static_equilibrium.h>
 
 #include <algorithm>
 
@@ -13,25 +15,81 @@ namespace Tribody
 {
   namespace Multibody
   {
+    namespace
+    {
+      double
+      cycle_duration(const Mechanism          &mechanism,
+                     const DynamicsParameters &parameters)
+      {
+        if (parameters.cycle_duration > 0)
+          return parameters.cycle_duration;
+        // Equilibrium knows time only by what the drivers prescribe.
+        if (parameters.analysis == "static equilibrium" &&
+            !mechanism.has_turning_driver())
+          return 1.;
+        return mechanism.period();
+      }
+    } // namespace
+
+
+
     CycleSimulation::CycleSimulation(const Mechanism          &mechanism,
                                      const DynamicsParameters &parameters)
       : mechanism(mechanism)
       , parameters(parameters)
       , closed_mechanism(with_ideal_joints(mechanism.parameters()))
       , closed_equations(closed_mechanism, {})
-      , period(mechanism.period())
+      , period(cycle_duration(mechanism, parameters))
     {
       parameters.check();
-      const Eigen::VectorXd q = assemble_configuration(closed_equations, 0.);
-      check_redundancy(EquationsOfMotion(mechanism,
-                                         nominal_clearances(mechanism)),
-                       q);
-      if (!mechanism.clearance_joints().empty() &&
+      const EquationsOfMotion equations(mechanism,
+                                        nominal_clearances(mechanism));
+      const Eigen::VectorXd   q = assemble_configuration(closed_equations, 0.);
+      check_redundancy(equations, q);
+      if (!mechanism.has_only_ideal_joints() &&
           closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
+      check_analysis();
+      if (!is_kinematic() && parameters.analysis != "static equilibrium")
+        check_masses(equations, q);
       if (closed_mechanism.n_degrees_of_freedom() == 0)
-        check_full_cycle(closed_equations, 2 * parameters.samples_per_cycle);
-      scales = compute_reference_scales(mechanism, closed_equations);
+        check_full_cycle(closed_equations,
+                         period,
+                         2 * parameters.samples_per_cycle);
+      scales = compute_reference_scales(mechanism, closed_equations, period);
+    }
+
+
+
+    bool
+    CycleSimulation::is_kinematic() const
+    {
+      return parameters.analysis == "kinematic";
+    }
+
+
+
+    void
+    CycleSimulation::check_analysis() const
+    {
+      if (!is_kinematic() && parameters.analysis != "inverse dynamics")
+        return;
+      const std::string needs = "'" + parameters.analysis +
+                                "' needs a mechanism whose motion is given by "
+                                "joints and drivers, but ";
+      const int n = mechanism.n_degrees_of_freedom();
+      for (const JointEntry &joint : mechanism.joints())
+        AssertThrow(joint.is_ideal(),
+                    ExcParameter("Dynamics/Analysis",
+                                 needs + "joint '" + joint.name +
+                                   "' has clearance. Write 'set Model = ideal' "
+                                   "there, or 'dynamic'"));
+      AssertThrow(n == 0,
+                  ExcParameter("Dynamics/Analysis",
+                               needs + "this one has " + std::to_string(n) +
+                                 (n == 1 ? " degree" : " degrees") +
+                                 " of freedom left. Add as many drivers, or "
+                                 "write 'dynamic' or 'static equilibrium'"));
     }
 
 
@@ -42,11 +100,16 @@ namespace Tribody
     {
       const EquationsOfMotion equations(mechanism,
                                         collect_clearances(clearances));
+      if (parameters.analysis == "static equilibrium")
+        return run_statics(equations);
+      if (parameters.analysis == "dynamic")
+        return run_dynamics(equations);
       // A joint with clearance that adds to a mechanism without degrees of
       // freedom does not get here: it is redundant.
-      const bool is_kinematic = mechanism.n_degrees_of_freedom() == 0 &&
-                                mechanism.clearance_joints().empty();
-      return is_kinematic ? run_kinematics(equations) : run_dynamics(equations);
+      const bool moves_as_given = mechanism.n_degrees_of_freedom() == 0 &&
+                                  mechanism.has_only_ideal_joints();
+      return moves_as_given ? run_kinematics(equations)
+                            : run_dynamics(equations);
     }
 
 
@@ -82,19 +145,88 @@ namespace Tribody
       CycleRecorder           recorder(equations, n, period);
       const ConstraintOffsets none(mechanism.n_constraints());
       MechanismState          state;
-      state.q = assemble_configuration(equations, 0.);
+      state.q            = assemble_configuration(equations, 0.);
+      const auto move_to = [&](const double t) -> Accelerations {
+        state.time = t;
+        if (is_kinematic())
+          {
+            const SolverReport report =
+              solve_positions(equations, t, none, state.q);
+            AssertThrow(report.converged, ExcRun(report.message));
+            state.v = compute_velocities(equations, t, none, state.q);
+            return {
+              compute_kinematic_accelerations(equations, t, state.q, state.v),
+              Eigen::VectorXd::Zero(mechanism.n_constraints())};
+          }
+        const Motion motion =
+          solve_motion(equations,
+                       t,
+                       none,
+                       Eigen::VectorXd::Zero(mechanism.n_coordinates()),
+                       state.q);
+        state.q = motion.q;
+        state.v = motion.v;
+        return {motion.a, motion.multipliers};
+      };
+      const double  half_interval = period / (2 * n);
+      EnergyAccount account(equations);
+      const bool    keeps_account =
+        parameters.energy_balance == "always" && !is_kinematic();
+      if (keeps_account)
+        recorder.set_energy_account(&account);
+      for (unsigned int k = 0; k <= 2 * n; ++k)
+        {
+          const double   t = (k - 1.) * half_interval;
+          MechanismState middle;
+          if (keeps_account && k > 0)
+            {
+              move_to(t - half_interval / 2);
+              middle = state;
+            }
+          const Accelerations accelerations = move_to(t);
+          if (keeps_account && k > 0)
+            account.advance(middle, state);
+          if (keeps_account && k == 0)
+            account.open(state);
+          recorder.record(k, state, accelerations);
+        }
+      DutyCycle cycle          = recorder.make_duty_cycle({});
+      cycle.settling.n_cycles  = 1;
+      cycle.settling.converged = true;
+      return cycle;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::run_statics(const EquationsOfMotion &equations) const
+    {
+      const unsigned int      n = parameters.samples_per_cycle;
+      CycleRecorder           recorder(equations, n, period);
+      const ConstraintOffsets none(mechanism.n_constraints());
+      const Eigen::VectorXd   zero =
+        Eigen::VectorXd::Zero(mechanism.n_coordinates());
+      MechanismState state;
+      state.q = assemble_configuration(closed_equations, 0.);
+      state.v = zero;
+      for (const ClearanceJoint &joint : mechanism.clearance_joints())
+        state.approach_speeds.push_back(joint.minimum_approach_speed);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
           state.time = (k - 1.) * period / (2 * n);
-          const Motion motion =
-            solve_motion(equations,
-                         state.time,
-                         none,
-                         Eigen::VectorXd::Zero(mechanism.n_coordinates()),
-                         state.q);
-          state.q = motion.q;
-          state.v = motion.v;
-          recorder.record(k, state, equations);
+          const SolverReport closed =
+            solve_positions(equations, state.time, none, state.q);
+          AssertThrow(closed.converged,
+                      ExcRun("At time " + significant_digits(state.time, 6) +
+                             " s there is no position:" +
+                             explain_end_of_motion(
+                               equations, state.time, state.time, state.q)));
+          const StaticEquilibrium equilibrium =
+            solve_static_equilibrium(equations, state.time, state.q);
+          AssertThrow(equilibrium.report.converged,
+                      ExcRun(equilibrium.report.message));
+          state.q = equilibrium.q;
+          recorder.record(k, state, {zero, equilibrium.multipliers});
         }
       DutyCycle cycle          = recorder.make_duty_cycle({});
       cycle.settling.n_cycles  = 1;
@@ -109,11 +241,19 @@ namespace Tribody
     {
       StartingState start =
         compute_centred_start(equations, closed_equations, 0.);
-      const auto &joints = mechanism.joints();
-      if (parameters.start == "centred" ||
-          std::all_of(joints.begin(),
-                      joints.end(),
-                      [](const JointEntry &joint) { return joint.is_ideal(); }))
+      if (parameters.start == "static equilibrium")
+        {
+          const StaticEquilibrium equilibrium =
+            solve_static_equilibrium(equations, 0., start.state.q);
+          AssertThrow(equilibrium.report.converged,
+                      ExcRun("For 'Dynamics/Start = static equilibrium', " +
+                             equilibrium.report.message));
+          start.state.q = equilibrium.q;
+          start.state.v =
+            compute_initial_velocities(equations, 0., start.state.q);
+          return start;
+        }
+      if (parameters.start == "centred" || mechanism.has_only_ideal_joints())
         return start;
       if (closed_mechanism.n_degrees_of_freedom() != 0)
         {
@@ -177,12 +317,18 @@ namespace Tribody
                             CycleRecorder      &recorder,
                             unsigned long      &n_steps_in_cycle) const
     {
-      const double  half_interval = period / (2 * parameters.samples_per_cycle);
+      const double half_interval = period / (2 * parameters.samples_per_cycle);
+      SettlingReport settling;
+      settling.n_cycles = 1;
+      if (parameters.maximum_settling_cycles == 0)
+        {
+          n_steps_in_cycle = record_cycle(-half_interval, integrator, recorder);
+          settling.converged = true;
+          return settling;
+        }
       CycleRecorder before(recorder);
       record_cycle(-half_interval, integrator, before);
 
-      SettlingReport settling;
-      settling.n_cycles = 1;
       while (true)
         {
           n_steps_in_cycle =
@@ -213,10 +359,32 @@ namespace Tribody
       const StartingState start = compute_start(equations);
       integrator.start(start.state);
 
-      CycleRecorder  recorder(equations, parameters.samples_per_cycle, period);
+      CycleRecorder recorder(equations, parameters.samples_per_cycle, period);
+      EnergyAccount account(equations);
+      if (parameters.energy_balance == "always")
+        {
+          integrator.set_energy_account(&account);
+          recorder.set_energy_account(&account);
+        }
       unsigned long  n_steps_in_cycle = 0;
-      SettlingReport settling = settle(integrator, recorder, n_steps_in_cycle);
-      settling.message        = start.report.message;
+      SettlingReport settling;
+      try
+        {
+          settling = settle(integrator, recorder, n_steps_in_cycle);
+        }
+      catch (const ExcRun &error)
+        {
+          const MechanismState &last = integrator.state();
+          const std::string     reason =
+            explain_end_of_motion(equations,
+                                  last.time,
+                                  last.time +
+                                    period / parameters.samples_per_cycle,
+                                  last.q);
+          throw ExcRun(message_of(error) +
+                       (reason.empty() ? "" : " Note that" + reason + "."));
+        }
+      settling.message = start.report.message;
       if (!settling.converged)
         settling.message +=
           std::string(settling.message.empty() ? "" : "; ") +

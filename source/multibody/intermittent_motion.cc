@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/intermittent_motion.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/significant_digits.h>
@@ -33,7 +34,8 @@ namespace Tribody
                        const MechanismState    &state)
       {
         Eigen::VectorXd forces(state.q.size());
-        equations.assemble_forces(state.q,
+        equations.assemble_forces(state.time,
+                                  state.q,
                                   state.v,
                                   state.approach_speeds,
                                   state.friction_states,
@@ -245,6 +247,7 @@ namespace Tribody
                             n_contacts() + joint,
                             true,
                             approach_speed,
+                            0.,
                             impulse.normal});
       return is_captured;
     }
@@ -284,9 +287,16 @@ namespace Tribody
 
       for (unsigned int k = 0; k < combination.size(); ++k)
         if ((present_combination[k] || has_hit[k]) && !combination[k])
-          the_events.push_back({state.time, n_contacts() + k, false, 0., 0.});
+          the_events.push_back(
+            {state.time, n_contacts() + k, false, 0., 0., 0.});
       present_combination = combination;
-      present             = &mode(combination);
+      present->integrator->set_energy_account(nullptr);
+      present = &mode(combination);
+      if (energy_account != nullptr)
+        {
+          energy_account->set_equations(*present->equations);
+          present->integrator->continue_energy_account(energy_account);
+        }
       present->integrator->resume(state,
                                   initial_step(*present->equations, state));
     }
@@ -314,7 +324,8 @@ namespace Tribody
             a = accelerations_in(in_mode, state).a;
           const double back =
             normal * bodies.gather(a) +
-            v.dot(pin.link->weighted_hessian(q, Eigen::Vector2d::UnitX()) * v);
+            v.dot(pin.link->weighted_hessian(q, Constraint::Values::UnitX()) *
+                  v);
           if (back > 0)
             {
               const double flight = 2 * speed / back;
@@ -400,6 +411,17 @@ namespace Tribody
       for (const auto &[combination, mode] : modes)
         drift = std::max(drift, mode.integrator->constraint_drift());
       return drift;
+    }
+
+
+
+    void
+    IntermittentMotion::set_energy_account(EnergyAccount *account)
+    {
+      energy_account = account;
+      if (account != nullptr)
+        account->set_equations(*present->equations);
+      present->integrator->set_energy_account(account);
     }
 
 

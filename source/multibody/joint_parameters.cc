@@ -237,32 +237,35 @@ namespace Tribody
 
 
       void
-      add_translational(dealii::ParameterHandler &prm, JointParameters &p)
+      add_other_types(dealii::ParameterHandler &prm, JointParameters &p)
       {
         Parameters::add_text(prm,
                              "First marker",
                              p.first_marker,
-                             "Translational joint: a point of the axis, "
-                             "'<body>.<marker>'.");
+                             "Other joints than revolute: '<body>.<marker>'; a "
+                             "point of the axis, if there is one.");
         Parameters::add_text(prm,
                              "Second marker",
                              p.second_marker,
-                             "Translational joint: the point that stays on "
-                             "the axis, '<body>.<marker>'.");
+                             "Other joints than revolute: the point that stays "
+                             "on the axis of the first body, or of a rigid "
+                             "joint where the first marker is, "
+                             "'<body>.<marker>'.");
         Parameters::add_quantity(prm,
                                  "Axis",
                                  p.axis_angle,
                                  "rad",
-                                 "Translational joint: direction of the axis "
-                                 "in the first body's frame.",
+                                 "Translational joint and point on line: "
+                                 "direction of the axis in the first body's "
+                                 "frame.",
                                  "deg");
         Parameters::add_quantity(prm,
                                  "Relative angle",
                                  p.relative_angle,
                                  "rad",
-                                 "Translational joint: angle of the second "
-                                 "body relative to the first, which stays "
-                                 "the same.",
+                                 "Translational and rigid joint: angle of the "
+                                 "second body relative to the first, which "
+                                 "stays the same.",
                                  "deg");
       }
 
@@ -461,19 +464,23 @@ namespace Tribody
     void
     JointParameters::add_parameters(dealii::ParameterHandler &prm)
     {
-      Parameters::add_choice(prm,
-                             "Type",
-                             type,
-                             {"revolute", "translational"},
-                             "'revolute': a pin turns in a bushing. "
-                             "'translational': a body slides along an axis of "
-                             "another one without turning. Entries that "
-                             "belong to the other type are ignored.");
+      Parameters::add_choice(
+        prm,
+        "Type",
+        type,
+        {"revolute", "translational", "rigid", "point on line"},
+        "'revolute': a pin turns in a bushing. "
+        "'translational': a body slides along an axis of "
+        "another one without turning. 'rigid': two bodies "
+        "are welded together. 'point on line': a point of "
+        "a body slides along an axis of another one, and "
+        "both may turn. Entries that belong to other "
+        "types are ignored.");
       add_markers_and_radii(prm, *this);
       add_contact(prm, *this);
       add_friction(prm, *this);
       add_further_friction(prm, *this);
-      add_translational(prm, *this);
+      add_other_types(prm, *this);
     }
 
 

@@ -21,15 +21,15 @@ namespace Tribody
     Eigen::Vector2d
     MasslessLinkConstraint::eccentricity(const PairVector &q) const
     {
-      return ends.value(0., q);
+      return ends.value(0., q).head<2>();
     }
 
 
 
-    Constraint::Jacobian
+    Eigen::Matrix<double, 2, 6>
     MasslessLinkConstraint::eccentricity_jacobian(const PairVector &q) const
     {
-      return ends.jacobian(q);
+      return ends.jacobian(q).topRows<2>();
     }
 
 
@@ -46,10 +46,10 @@ namespace Tribody
 
 
 
-    Eigen::Vector2d
+    Constraint::Values
     MasslessLinkConstraint::value(const double /*t*/, const PairVector &q) const
     {
-      return {eccentricity(q).norm() - length, 0.};
+      return {eccentricity(q).norm() - length, 0., 0.};
     }
 
 
@@ -58,32 +58,31 @@ namespace Tribody
     MasslessLinkConstraint::jacobian(const PairVector &q) const
     {
       Jacobian result = Jacobian::Zero();
-      result.row(0)   = direction(q).transpose() * ends.jacobian(q);
+      result.row(0)   = direction(q).transpose() * eccentricity_jacobian(q);
       return result;
     }
 
 
 
     PairMatrix
-    MasslessLinkConstraint::weighted_hessian(
-      const PairVector      &q,
-      const Eigen::Vector2d &weights) const
+    MasslessLinkConstraint::weighted_hessian(const PairVector &q,
+                                             const Values     &weights) const
     {
       // n turns by (k x n)^T de/|e|.
       const Eigen::Vector2d n = direction(q);
       const double          r = std::max(eccentricity(q).norm(), 1e-6 * length);
       const Eigen::Matrix<double, 1, 6> turn =
-        perpendicular(n).transpose() * ends.jacobian(q);
+        perpendicular(n).transpose() * eccentricity_jacobian(q);
       return weights(0) / r * turn.transpose() * turn +
-             ends.weighted_hessian(q, weights(0) * n);
+             ends.weighted_hessian(
+               q, {weights(0) * n.x(), weights(0) * n.y(), 0.});
     }
 
 
 
     Eigen::Vector2d
-    MasslessLinkConstraint::reaction_force(
-      const PairVector      &q,
-      const Eigen::Vector2d &multipliers) const
+    MasslessLinkConstraint::reaction_force(const PairVector &q,
+                                           const Values     &multipliers) const
     {
       return multipliers(0) * direction(q);
     }

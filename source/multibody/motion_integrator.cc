@@ -1,4 +1,5 @@
 #include <tribody/base/exceptions.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
 #include <tribody/multibody/motion_integrator.h>
@@ -18,9 +19,6 @@ namespace Tribody
       , m(equations.mechanism().n_constraints())
       , n_states(equations.mechanism().n_friction_states())
       , phi(m)
-      , phi_q(m, n)
-      , phi_t(m)
-      , phi_tt(m)
       , forces(n)
     {
       ida = std::make_unique<IdaIntegrator>(make_system(),
@@ -43,12 +41,12 @@ namespace Tribody
                                ImplicitSystem::Vector            &residual) {
         assemble_residual(y, y_t, t, residual);
       };
-      system.jacobian = [this](const double /*t*/,
+      system.jacobian = [this](const double                       t,
                                const double                       c,
                                const ImplicitSystem::ConstVector &y,
                                const ImplicitSystem::ConstVector & /*y_t*/,
-                               ImplicitSystem::Matrix &jacobian) {
-        assemble_jacobian(y, c, jacobian);
+                               MatrixEntries &entries) {
+        assemble_jacobian(y, t, c, entries);
       };
       system.n_roots = equations.mechanism().clearance_joints().size() +
                        equations.mechanism().impact_joints().size();
@@ -88,24 +86,23 @@ namespace Tribody
                                         const double                       t,
                                         ImplicitSystem::Vector &residual)
     {
-      const auto q      = y.head(n);
-      const auto v      = y.segment(n, n);
-      const auto lambda = y.segment(2 * n, m);
-      const auto mu     = y.segment(2 * n + m, m);
-      const auto z      = y.tail(n_states);
+      const auto q = y.head(n);
+      const auto v = y.segment(n, n);
+      const auto z = y.tail(n_states);
 
-      equations.assemble_constraint_jacobian(q, phi_q);
-      equations.assemble_time_derivatives(t, phi_t, phi_tt);
-      equations.assemble_forces(q, v, current.approach_speeds, z, forces);
-
+      equations.assemble_forces(t, q, v, current.approach_speeds, z, forces);
       residual.head(n) = y_t.head(n) - v;
-      residual.head(n).noalias() -= phi_q.transpose() * mu;
       residual.segment(n, n) =
         equations.mechanism().masses().cwiseProduct(y_t.segment(n, n)) - forces;
-      residual.segment(n, n).noalias() += phi_q.transpose() * lambda;
-      equations.assemble_constraints(t, q, residual.segment(2 * n, m));
-      residual.segment(2 * n + m, m) = phi_t;
-      residual.segment(2 * n + m, m).noalias() += phi_q * v;
+      equations.assemble_constraint_terms(t,
+                                          q,
+                                          v,
+                                          y.segment(2 * n, m),
+                                          y.segment(2 * n + m, m),
+                                          residual.segment(2 * n, m),
+                                          residual.segment(2 * n + m, m),
+                                          residual.segment(n, n),
+                                          residual.head(n));
       if (n_states > 0)
         {
           equations.assemble_friction_state_rates(
@@ -119,102 +116,36 @@ namespace Tribody
 
     void
     MotionIntegrator::assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                                        const double                       t,
                                         const double                       c,
-                                        ImplicitSystem::Matrix &jacobian)
+                                        MatrixEntries &entries)
     {
-      const auto q      = y.head(n);
-      const auto v      = y.segment(n, n);
-      const auto lambda = y.segment(2 * n, m);
-      const auto mu     = y.segment(2 * n + m, m);
-      const auto z      = y.tail(n_states);
-
-      equations.assemble_constraint_jacobian(q, phi_q);
-
-      // q' - v - Phi_q^T mu
-      jacobian.block(0, 0, n, n).diagonal().setConstant(c);
-      equations.add_multiplier_derivative(q,
-                                          mu,
-                                          -1.,
-                                          jacobian.block(0, 0, n, n));
-      jacobian.block(0, n, n, n).diagonal().setConstant(-1.);
-      jacobian.block(0, 2 * n + m, n, m) = -phi_q.transpose();
-
-      // M v' - Q + Phi_q^T lambda
-      equations.subtract_force_derivatives(q,
-                                           v,
-                                           current.approach_speeds,
-                                           z,
-                                           jacobian.block(n, 0, n, n),
-                                           jacobian.block(n, n, n, n));
-      equations.add_multiplier_derivative(q,
-                                          lambda,
-                                          1.,
-                                          jacobian.block(n, 0, n, n));
-      jacobian.block(n, n, n, n).diagonal() +=
-        c * equations.mechanism().masses();
-      jacobian.block(n, 2 * n, n, m) = phi_q.transpose();
-
-      // Phi and Phi_q v + Phi_t
-      jacobian.block(2 * n, 0, m, n) = phi_q;
-      equations.add_velocity_derivative(q,
-                                        v,
-                                        jacobian.block(2 * n + m, 0, m, n));
-      jacobian.block(2 * n + m, n, m, n) = phi_q;
-
-      // z' - z'(q, v, z)
+      const auto             q      = y.head(n);
+      const auto             v      = y.segment(n, n);
+      const auto             z      = y.tail(n_states);
+      const Eigen::VectorXd &masses = equations.mechanism().masses();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          entries.add(i, i, c);
+          entries.add(i, n + i, -1.);
+          entries.add(n + i, n + i, c * masses(i));
+        }
+      equations.subtract_force_derivatives(
+        t, q, v, current.approach_speeds, z, n, 0, n, entries);
       if (n_states > 0)
         {
-          const unsigned int row = 2 * n + 2 * m;
+          const Eigen::Index state = 2 * n + 2 * m;
           equations.subtract_friction_state_derivatives(
-            q,
-            v,
-            current.approach_speeds,
-            z,
-            jacobian.block(n, row, n, n_states),
-            jacobian.block(row, 0, n_states, n),
-            jacobian.block(row, n, n_states, n),
-            jacobian.block(row, row, n_states, n_states));
-          jacobian.block(row, row, n_states, n_states).diagonal().array() += c;
+            q, v, current.approach_speeds, z, n, 0, n, state, entries);
+          for (unsigned int k = 0; k < n_states; ++k)
+            entries.add(state + k, state + k, c);
         }
-    }
-
-
-
-    Eigen::VectorXd
-    MotionIntegrator::exact_multipliers(const double                       t,
-                                        const ImplicitSystem::ConstVector &y)
-    {
-      const Eigen::VectorXd q = y.head(n), v = y.segment(n, n);
-      equations.assemble_forces(
-        q, v, current.approach_speeds, y.tail(n_states), forces);
-      return compute_accelerations(
-               equations, t, ConstraintOffsets(m), q, v, forces)
-        .multipliers;
-    }
-
-
-
-    void
-    MotionIntegrator::evaluate_roots(const double                       t,
-                                     const ImplicitSystem::ConstVector &y,
-                                     double                            *values)
-    {
-      const Mechanism   &mechanism  = equations.mechanism();
-      const unsigned int n_contacts = mechanism.clearance_joints().size();
-      for (unsigned int j = 0; j < n_contacts; ++j)
-        values[j] = equations.compute_penetration(j, y.head(n));
-
-      Eigen::VectorXd multipliers;
-      for (unsigned int k = 0; k < mechanism.impact_joints().size(); ++k)
-        {
-          const ImpactJoint &joint = mechanism.impact_joints()[k];
-          if (joint.is_following && multipliers.size() == 0)
-            multipliers = exact_multipliers(t, y);
-          values[n_contacts + k] =
-            joint.is_following
-              ? multipliers(joint.first_row)
-              : joint.compute_penetration(joint.link->bodies.gather(y.head(n)));
-        }
+      equations.add_constraint_derivatives(q,
+                                           v,
+                                           y.segment(2 * n, m),
+                                           y.segment(2 * n + m, m),
+                                           {0, n, 2 * n, 2 * n + m},
+                                           entries);
     }
 
 
@@ -244,6 +175,7 @@ namespace Tribody
         }
       the_events.clear();
       the_peak_forces.assign(joints.size(), 0.);
+      contact_peak_forces.assign(joints.size(), 0.);
       the_drift = 0.;
       restart();
     }
@@ -255,7 +187,10 @@ namespace Tribody
                              const double          initial_step)
     {
       current = state;
-      the_peak_forces.resize(equations.mechanism().clearance_joints().size());
+      const unsigned int n_contacts =
+        equations.mechanism().clearance_joints().size();
+      the_peak_forces.resize(n_contacts);
+      contact_peak_forces.resize(n_contacts);
       restart(initial_step);
     }
 
@@ -264,7 +199,8 @@ namespace Tribody
     void
     MotionIntegrator::restart(const double initial_step)
     {
-      equations.assemble_forces(current.q,
+      equations.assemble_forces(current.time,
+                                current.q,
                                 current.v,
                                 current.approach_speeds,
                                 current.friction_states,
@@ -288,6 +224,8 @@ namespace Tribody
         Eigen::VectorXd::Zero(m), current.friction_states;
       y_t << current.v, accelerations.a, Eigen::VectorXd::Zero(2 * m), rates;
       ida->start(current.time, y, y_t, initial_step);
+      if (energy_account != nullptr)
+        energy_account->restart(current);
       restart_is_pending = false;
       stop_is_pending    = false;
       the_stops.clear();
@@ -324,14 +262,19 @@ namespace Tribody
                                       y.segment(n, n),
                                       current.approach_speeds[j],
                                       k < 0 ? 0. : y(2 * n + 2 * m + k));
-          the_peak_forces[j] = std::max(the_peak_forces[j],
-                                        std::hypot(contact.normal_force,
-                                                   contact.tangential_force));
+          const double force =
+            std::hypot(contact.normal_force, contact.tangential_force);
+          the_peak_forces[j]     = std::max(the_peak_forces[j], force);
+          contact_peak_forces[j] = std::max(contact_peak_forces[j], force);
           if (roots[j] == 0)
             continue;
-          the_events.push_back(
-            {ida->time(), j, roots[j] > 0, contact.penetration_rate});
-          restart_is_pending = restart_is_pending || roots[j] > 0;
+          the_events.push_back({ida->time(),
+                                j,
+                                roots[j] > 0,
+                                contact.penetration_rate,
+                                contact_peak_forces[j]});
+          contact_peak_forces[j] = 0.;
+          restart_is_pending     = restart_is_pending || roots[j] > 0;
         }
       // A flying pin hits where its penetration rises through zero, a following
       // one flies where its force falls through it.
@@ -374,6 +317,7 @@ namespace Tribody
       unsigned long n_steps = n_steps_before;
       while (ida->time() < t && !stop_is_pending)
         {
+          book_energy(ida->time());
           if (restart_is_pending)
             {
               // The step behind us went past the onset with an approach speed
@@ -393,12 +337,46 @@ namespace Tribody
         }
       if (stop_is_pending && ida->time() <= t)
         {
+          book_energy(ida->time());
           take_stop();
           return current;
         }
-      ida->interpolate(t, interpolated);
-      update_current(t, interpolated);
+      book_energy(t);
+      current = state_at(t);
       return current;
+    }
+
+
+
+    MechanismState
+    MotionIntegrator::state_at(const double t)
+    {
+      ida->interpolate(t, interpolated);
+      return {t,
+              interpolated.head(n),
+              interpolated.segment(n, n),
+              current.approach_speeds,
+              interpolated.tail(n_states)};
+    }
+
+
+
+    void
+    MotionIntegrator::set_energy_account(EnergyAccount *account)
+    {
+      energy_account = account;
+      if (account != nullptr)
+        account->open(current);
+    }
+
+
+
+    void
+    MotionIntegrator::book_energy(const double t)
+    {
+      if (energy_account != nullptr && t > energy_account->time())
+        energy_account->advance(state_at((energy_account->time() + t) / 2),
+                                state_at(t));
     }
 
 

@@ -272,7 +272,7 @@ namespace Tribody
         const Eigen::VectorXd v =
           compute_velocities(closed, state.time, none, state.q);
         Eigen::VectorXd forces(state.q.size());
-        closed.assemble_forces(state.q, v, {}, forces);
+        closed.assemble_forces(state.time, state.q, v, {}, forces);
         return compute_accelerations(
                  closed, state.time, none, state.q, v, forces)
           .multipliers;
@@ -327,7 +327,7 @@ namespace Tribody
       start.state.time = t_0;
       start.state.q    = assemble_configuration(closed, t_0);
       add_links(equations, closed, start.state, offsets);
-      start.state.v = compute_velocities(closed, t_0, offsets, start.state.q);
+      start.state.v = compute_initial_velocities(closed, t_0, start.state.q);
       start.report.converged = true;
       return start;
     }

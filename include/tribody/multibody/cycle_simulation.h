@@ -29,9 +29,10 @@ namespace Tribody
      *   const DutyCycle cycle = simulation.run({{"crank_pin", worn_profile}});
      * @endcode
      *
-     * Without degrees of freedom it solves the positions at each sample, and
-     * forces by inverse dynamics. Otherwise it integrates, beginning at rest in
-     * its vibrations, until the joint forces repeat from cycle to cycle.
+     * Unless the parameters choose an analysis: without degrees of freedom it
+     * solves the positions at each sample, and forces by inverse dynamics.
+     * Otherwise it integrates, beginning at rest in its vibrations, until the
+     * joint forces repeat from cycle to cycle.
      */
     class CycleSimulation
     {
@@ -40,8 +41,9 @@ namespace Tribody
        * Assembles the mechanism and estimates the scales of its contacts, once
        * for all runs. Keeps a reference to @p mechanism.
        * @throws ExcParameter for what cannot be assembled, redundant
-       *   constraints, a missing driver, or a crank that cannot make a full
-       *   turn with ideal joints.
+       *   constraints, a missing driver, an analysis that does not fit the
+       *   degrees of freedom, masses that are missing, or a crank that cannot
+       *   make a full turn with ideal joints.
        */
       CycleSimulation(const Mechanism          &mechanism,
                       const DynamicsParameters &parameters);
@@ -70,8 +72,19 @@ namespace Tribody
       collect_clearances(
         const std::map<std::string, ClearanceProfile> &by_name) const;
 
+      void
+      check_analysis() const;
+
+      // Nothing but constraints is asked.
+      bool
+      is_kinematic() const;
+
+      // Kinematics, with inverse dynamics unless it is_kinematic().
       DutyCycle
       run_kinematics(const EquationsOfMotion &equations) const;
+
+      DutyCycle
+      run_statics(const EquationsOfMotion &equations) const;
 
       DutyCycle
       run_dynamics(const EquationsOfMotion &equations) const;
@@ -89,8 +102,8 @@ namespace Tribody
              CycleRecorder      &recorder,
              unsigned long      &n_steps_in_cycle) const;
 
-      // In slow motion if asked for and possible, else centred; the message
-      // of its report says why.
+      // In static equilibrium, or in slow motion if asked for and possible,
+      // else centred; the message of its report says why.
       StartingState
       compute_start(const EquationsOfMotion &equations) const;
 

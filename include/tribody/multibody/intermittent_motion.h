@@ -45,6 +45,18 @@ namespace Tribody
       void
       start(const MechanismState &state);
 
+      /// As MotionIntegrator::set_energy_account(). What impacts take is
+      /// booked.
+      void
+      set_energy_account(EnergyAccount *account);
+
+      /// Where advance_to() arrived last.
+      const MechanismState &
+      state() const
+      {
+        return present->integrator->state();
+      }
+
       /// As MotionIntegrator::advance_to().
       const MechanismState &
       advance_to(const double        t,
@@ -143,6 +155,7 @@ namespace Tribody
       Combination                 present_combination;
       Mode                       *present = nullptr;
 
+      EnergyAccount            *energy_account = nullptr;
       std::vector<ContactEvent> the_events;
       double                    stop_time    = 0.;
       unsigned int              n_stops_here = 0;

@@ -15,13 +15,14 @@ namespace Tribody
   namespace Multibody
   {
     /**
-     * A joint between two bodies: revolute (ideal, or with clearance) or
-     * translational. Entries of the other type are ignored.
+     * A joint between two bodies: revolute (ideal, or with clearance),
+     * translational, rigid, or a point on a line. Entries of other types are
+     * ignored.
      */
     struct JointParameters
     {
       std::string name;
-      /// "revolute" or "translational".
+      /// "revolute", "translational", "rigid" or "point on line".
       std::string type = "revolute";
 
       /// Centre of the pin, "<body>.<marker>".
@@ -81,12 +82,14 @@ namespace Tribody
       /// Damping of the pin's sideways swing in the bore [N s/m].
       double tangential_damping = 0.;
 
-      /// Markers of a translational joint, "<body>.<marker>".
+      /// Markers of a joint that is not revolute, "<body>.<marker>".
       std::string first_marker  = "ground.O";
       std::string second_marker = "ground.O";
-      /// Direction of the axis in the first body's frame [rad].
+      /// Translational, point on line: direction in the first body's frame
+      /// [rad].
       double axis_angle = 0.;
-      /// Angle of the second body relative to the first [rad].
+      /// Translational, rigid: angle of the second body relative to the first
+      /// [rad].
       double relative_angle = 0.;
 
       /// Declares in the current subsection, "Joint <name>".

@@ -30,22 +30,22 @@ namespace Tribody
       eccentricity(const PairVector &q) const;
 
       /// de/dq.
-      Jacobian
+      Eigen::Matrix<double, 2, 6>
       eccentricity_jacobian(const PairVector &q) const;
 
       /// e/|e|.
       Eigen::Vector2d
       direction(const PairVector &q) const;
 
-      Eigen::Vector2d
+      Values
       value(const double t, const PairVector &q) const override;
 
       Jacobian
       jacobian(const PairVector &q) const override;
 
       PairMatrix
-      weighted_hessian(const PairVector      &q,
-                       const Eigen::Vector2d &weights) const override;
+      weighted_hessian(const PairVector &q,
+                       const Values     &weights) const override;
 
       bool
       is_angle(const unsigned int /*i*/) const override
@@ -54,8 +54,8 @@ namespace Tribody
       }
 
       Eigen::Vector2d
-      reaction_force(const PairVector      &q,
-                     const Eigen::Vector2d &multipliers) const override;
+      reaction_force(const PairVector &q,
+                     const Values     &multipliers) const override;
 
       /// c [m].
       const double length;

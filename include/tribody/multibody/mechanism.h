@@ -1,10 +1,13 @@
 #ifndef tribody_multibody_mechanism_h
 #define tribody_multibody_mechanism_h
 
+#include <tribody/multibody/applied_force.h>
 #include <tribody/multibody/clearance_joint.h>
 #include <tribody/multibody/constraint.h>
+#include <tribody/multibody/driver_motion.h>
 #include <tribody/multibody/impact_joint.h>
 #include <tribody/multibody/mechanism_parameters.h>
+#include <tribody/multibody/rotational_spring.h>
 #include <tribody/multibody/spring.h>
 
 #include <memory>
@@ -50,6 +53,9 @@ namespace Tribody
       double bushing_radius;
       /// First body (pin) and second body (bushing).
       BodyPair bodies;
+      /// Its markers in the frames of these bodies [m].
+      Eigen::Vector2d first_position  = Eigen::Vector2d::Zero();
+      Eigen::Vector2d second_position = Eigen::Vector2d::Zero();
       /// Ideal for joints that are not revolute.
       JointModel model = JointModel::ideal;
       /// e and c of the models without contact forces; null for others.
@@ -126,6 +132,15 @@ namespace Tribody
         return the_impact_joints;
       }
 
+      bool
+      has_only_ideal_joints() const
+      {
+        for (const JointEntry &joint : the_joints)
+          if (!joint.is_ideal())
+            return false;
+        return true;
+      }
+
       /// States of friction laws: one for each that has one.
       unsigned int
       n_friction_states() const
@@ -144,6 +159,31 @@ namespace Tribody
       springs() const
       {
         return the_springs;
+      }
+
+      /// What the drivers prescribe, in the order of the parameters.
+      const std::vector<DriverMotion> &
+      driver_motions() const
+      {
+        return the_driver_motions;
+      }
+
+      const std::vector<RotationalSpring> &
+      rotational_springs() const
+      {
+        return the_rotational_springs;
+      }
+
+      const std::vector<AppliedForce> &
+      applied_forces() const
+      {
+        return the_applied_forces;
+      }
+
+      const std::vector<AppliedTorque> &
+      applied_torques() const
+      {
+        return the_applied_torques;
       }
 
       /// Diagonal of M: mass, mass, moment of inertia of each body.
@@ -167,12 +207,23 @@ namespace Tribody
         return the_initial_coordinates;
       }
 
+      /// The velocities at time 0 that are wished for.
+      const Eigen::VectorXd &
+      initial_velocities() const
+      {
+        return the_initial_velocities;
+      }
+
       /// A length [m] of the size of the mechanism's bodies.
       double
       size() const
       {
         return the_size;
       }
+
+      /// Whether the first driver turns, so that there is a period().
+      bool
+      has_turning_driver() const;
 
       /// Time of one revolution of the first driver [s].
       /// @throws ExcParameter without a driver that turns.
@@ -211,7 +262,16 @@ namespace Tribody
       add_spring(const SpringParameters &spring);
 
       void
+      add_rotational_spring(const RotationalSpringParameters &spring);
+
+      void
       add_driver(const DriverParameters &driver);
+
+      void
+      add_force(const ForceParameters &force);
+
+      void
+      add_torque(const TorqueParameters &torque);
 
       const MechanismParameters       the_parameters;
       std::vector<NumberedConstraint> the_constraints;
@@ -219,9 +279,14 @@ namespace Tribody
       std::vector<ImpactJoint>        the_impact_joints;
       std::vector<JointEntry>         the_joints;
       std::vector<Spring>             the_springs;
+      std::vector<DriverMotion>       the_driver_motions;
+      std::vector<RotationalSpring>   the_rotational_springs;
+      std::vector<AppliedForce>       the_applied_forces;
+      std::vector<AppliedTorque>      the_applied_torques;
       Eigen::VectorXd                 the_masses;
       Eigen::VectorXd                 the_weights;
       Eigen::VectorXd                 the_initial_coordinates;
+      Eigen::VectorXd                 the_initial_velocities;
       unsigned int                    n_equations = 0;
       unsigned int                    n_states    = 0;
       double                          the_size    = 0.;

@@ -28,6 +28,8 @@ namespace Tribody
       double initial_step = 0.;
     };
 
+    class EnergyAccount;
+
     /// A contact began or ended.
     struct ContactEvent
     {
@@ -39,6 +41,8 @@ namespace Tribody
       bool         is_onset;
       /// Penetration rate at that time [m/s].
       double penetration_rate;
+      /// Of a loss: largest total force in the contact that ends [N].
+      double peak_force;
       /// Normal impulse [N s] of an impact between rigid surfaces, whose onset
       /// and end are at one time.
       double impulse = 0.;
@@ -76,6 +80,17 @@ namespace Tribody
       /// far remain. A positive @p initial_step [s] is that of the first step.
       void
       resume(const MechanismState &state, const double initial_step);
+      /// Book the motion from now on to @p account, which must stay alive; to
+      /// none if it is the null pointer.
+      void
+      set_energy_account(EnergyAccount *account);
+
+      /// The same without opening it anew: to be followed by resume().
+      void
+      continue_energy_account(EnergyAccount *account)
+      {
+        energy_account = account;
+      }
 
       /**
        * Go on to time @p t [s], at least as late as before.
@@ -95,7 +110,7 @@ namespace Tribody
         return stop_is_pending && current.time == ida->time();
       }
 
-      /// The state reached.
+      /// Where advance_to() arrived last.
       const MechanismState &
       state() const
       {
@@ -149,8 +164,9 @@ namespace Tribody
 
       void
       assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                        const double                       t,
                         const double                       c,
-                        ImplicitSystem::Matrix            &jacobian);
+                        MatrixEntries                     &entries);
 
       // Penetrations of contacts and flying pins, forces of following ones.
       void
@@ -179,6 +195,14 @@ namespace Tribody
       void
       record_step(const std::vector<int> &roots);
 
+      // Book the motion up to time t, which lies within the last step.
+      void
+      book_energy(const double t);
+
+      // The state at time t within the last step.
+      MechanismState
+      state_at(const double t);
+
       const EquationsOfMotion &equations;
       const unsigned int       n;
       const unsigned int       m;
@@ -187,18 +211,18 @@ namespace Tribody
       std::unique_ptr<IdaIntegrator> ida;
       MechanismState                 current;
       bool                           restart_is_pending = false;
+      EnergyAccount                 *energy_account     = nullptr;
 
       std::vector<unsigned int> the_stops;
       bool                      stop_is_pending = false;
       std::vector<ContactEvent> the_events;
       std::vector<double>       the_peak_forces;
-      double                    the_drift = 0.;
+      // Of the present or last contact of each joint.
+      std::vector<double> contact_peak_forces;
+      double              the_drift = 0.;
 
       // Work space.
       Eigen::VectorXd phi;
-      Eigen::MatrixXd phi_q;
-      Eigen::VectorXd phi_t;
-      Eigen::VectorXd phi_tt;
       Eigen::VectorXd forces;
       Eigen::VectorXd interpolated;
     };

@@ -35,6 +35,9 @@ namespace Tribody
       double speed;
       /// Largest lasting state of friction [m]; zero for laws without one.
       double friction_state;
+      /// Whether the clearance is so large, more than 10 penetrations, that the
+      /// pin flies and strikes.
+      bool is_loose;
     };
 
     /**
@@ -47,10 +50,13 @@ namespace Tribody
      * under 1 m/s^2. The frequency is that of the contact stiffness
      * @f$ dF_N/d\delta @f$ and the mass that a force at the joint finds there
      * in the lightest direction.
+     *
+     * @param period of a cycle [s]; 0: one turn of the first driver.
      */
     std::vector<ReferenceScale>
     compute_reference_scales(const Mechanism         &mechanism,
-                             const EquationsOfMotion &closed);
+                             const EquationsOfMotion &closed,
+                             const double             period = 0.);
 
     /**
      * Error weights: @f$ \varepsilon\,\delta @f$ for positions and
@@ -58,7 +64,14 @@ namespace Tribody
      * the clearance joints that it belongs to, or the most sensitive one if
      * none. Relative tolerances would be useless: forces depend on penetrations
      * of micrometres in coordinates of metres. Without clearance joints, 1e-4
-     * of the mechanism's size takes the place of the penetration.
+     * of the mechanism's size takes the place of the penetration, and its speed
+     * is that length over the time of a cycle divided by 2 pi (one second if
+     * there is no cycle).
+     *
+     * Joints in which the pin strikes need a tenth of these errors, because
+     * every impact multiplies them. In return BDF may be of fifth order if
+     * there are only such joints: the vibration of a tight one, which friction
+     * and hysteresis hardly damp, it would excite.
      */
     MotionTolerances
     make_tolerances(const Mechanism                   &mechanism,
