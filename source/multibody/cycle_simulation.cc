@@ -137,6 +137,17 @@ namespace Tribody
 
 
 
+    double
+    CycleSimulation::record_time(const unsigned int k) const
+    {
+      const double t = (k - 1.) * period / (2 * parameters.samples_per_cycle);
+      const bool   repeats =
+        parameters.cycle_duration == 0 && mechanism.has_turning_driver();
+      return repeats ? t : std::max(0., t);
+    }
+
+
+
     DutyCycle
     CycleSimulation::run_kinematics(const EquationsOfMotion &equations) const
     {
@@ -147,12 +158,17 @@ namespace Tribody
       state.q = assemble_configuration(equations, 0.);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          state.time = (k - 1.) * period / (2 * n);
+          state.time = record_time(k);
           if (is_kinematic())
             {
               const SolverReport report =
                 solve_positions(equations, state.time, none, state.q);
-              AssertThrow(report.converged, ExcRun(report.message));
+              AssertThrow(report.converged,
+                          ExcRun("At time " +
+                                 significant_digits(state.time, 6) +
+                                 " s the mechanism has no position near the "
+                                 "one before: " +
+                                 report.message));
               state.v =
                 compute_velocities(equations, state.time, none, state.q);
               recorder.record(k,
@@ -196,7 +212,7 @@ namespace Tribody
         state.approach_speeds.push_back(joint.minimum_approach_speed);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          state.time = (k - 1.) * period / (2 * n);
+          state.time = record_time(k);
           const SolverReport closed =
             solve_positions(equations, state.time, none, state.q);
           AssertThrow(closed.converged,
