@@ -150,6 +150,45 @@ namespace Tribody
 
 
 
+    Eigen::VectorXd
+    MotionIntegrator::exact_multipliers(const double                       t,
+                                        const ImplicitSystem::ConstVector &y)
+    {
+      const Eigen::VectorXd q = y.head(n), v = y.segment(n, n);
+      equations.assemble_forces(
+        t, q, v, current.approach_speeds, y.tail(n_states), forces);
+      return compute_accelerations(
+               equations, t, ConstraintOffsets(m), q, v, forces)
+        .multipliers;
+    }
+
+
+
+    void
+    MotionIntegrator::evaluate_roots(const double                       t,
+                                     const ImplicitSystem::ConstVector &y,
+                                     double                            *values)
+    {
+      const Mechanism   &mechanism  = equations.mechanism();
+      const unsigned int n_contacts = mechanism.clearance_joints().size();
+      for (unsigned int j = 0; j < n_contacts; ++j)
+        values[j] = equations.compute_penetration(j, y.head(n));
+
+      Eigen::VectorXd multipliers;
+      for (unsigned int k = 0; k < mechanism.impact_joints().size(); ++k)
+        {
+          const ImpactJoint &joint = mechanism.impact_joints()[k];
+          if (joint.is_following && multipliers.size() == 0)
+            multipliers = exact_multipliers(t, y);
+          values[n_contacts + k] =
+            joint.is_following
+              ? multipliers(joint.first_row)
+              : joint.compute_penetration(joint.link->bodies.gather(y.head(n)));
+        }
+    }
+
+
+
     void
     MotionIntegrator::start(const MechanismState &state)
     {

@@ -18,6 +18,7 @@
 #include <tribody/multibody/applied_force.h>
 #include <tribody/multibody/clearance_joint.h>
 #include <tribody/multibody/distance_driver.h>
+#include <tribody/multibody/massless_link_constraint.h>
 #include <tribody/multibody/rigid_constraint.h>
 #include <tribody/multibody/rotational_spring.h>
 #include <tribody/multibody/spring.h>
@@ -403,11 +404,73 @@ check_profile()
   report_below("  error with uneven nodes", error, 1e-3);
 }
 
+// A LuGre joint 20 um deep in its bore: derivatives by the state of friction
+// and of its rate.
+void
+check_friction_state()
+{
+  ClearanceJoint joint       = {"joint",
+                                {0, 1},
+                                {0., 0.},
+                                {0., 0.},
+                                9.525e-3,
+                                9.535e-3,
+                                LankaraniNikraveshLaw{1.5e7, 0.7},
+                                LuGreFriction{{0.1, 0.3, 0.01}, 1e5, 20., 0.5},
+                                0.,
+                                1e-2};
+  joint.friction_state_index = 0;
+  const ClearanceProfile clearance(10e-6);
+  PairVector             q, v;
+  q << 20e-6, -22e-6, 0.7, 0., 0., -1.1;
+  v << 0.5e-3, 0.1e-3, 0.4, 0., 0., 0.3;
+  const double z = 0.7e-6, step = 1e-10;
+  const auto   contact =
+    [&](const PairVector &x, const PairVector &y, const double state) {
+      return joint.compute_contact(x, y, clearance, 0.02, state);
+    };
+  const auto rate = [&](const PairVector &x, const PairVector &y) {
+    return Eigen::VectorXd::Constant(
+      1, joint.compute_friction_state_rate(contact(x, y, z), z));
+  };
+  const ClearanceForce f =
+    joint.compute_force_with_derivatives(q, v, clearance, 0.02, z);
+  report_below("friction state: derivative of the force",
+               relative_error(f.d_state,
+                              (joint.compute_force(q, contact(q, v, z + step)) -
+                               joint.compute_force(q,
+                                                   contact(q, v, z - step))) /
+                                (2 * step)),
+               1e-6);
+  report_below(
+    "  of the rate by position",
+    relative_error(
+      f.rate_d_position,
+      differences([&](const PairVector &x) { return rate(x, v); }, q, 2e-9)),
+    1e-5);
+  report_below(
+    "  of the rate by velocity",
+    relative_error(
+      f.rate_d_velocity,
+      differences([&](const PairVector &x) { return rate(q, x); }, v, 1e-7)),
+    1e-5);
+  report_below(
+    "  of the rate by the state",
+    std::abs((joint.compute_friction_state_rate(contact(q, v, z), z + step) -
+              joint.compute_friction_state_rate(contact(q, v, z), z - step)) /
+               (2 * step) / f.rate_d_state -
+             1),
+    1e-6);
+}
+
 int
 main()
 {
+  check_friction_state();
   const Marker first = {0, {0.1, 0.2}}, second = {1, {-0.3, 0.1}};
   check_constraint("revolute", RevoluteConstraint("", first, second));
+  check_constraint("massless link",
+                   MasslessLinkConstraint("", first, second, 0.3));
   check_constraint("translational",
                    TranslationalConstraint("", first, second, 0.4, 0.2));
   check_constraint("rigid", RigidConstraint("", first, second, 0.2));

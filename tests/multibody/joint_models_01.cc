@@ -12,13 +12,11 @@
 // the total force; that is what five digits can show, 2e-4 with the peak
 // between samples.
 //
-// Clearance 5 mm, massless link and impact from a start in slow motion: a pin
-// that presses all the time obeys the same constraint in both.
-//
 // A pin falls from the centre of its bore and bounces: with e the coefficient
 // of restitution, the speed after impact n is e^n of that of the first, the
 // impacts end at t_1 (1 + 2 e/(1 - e)), and from then on the pin follows, under
-// its weight. A free disc that hits the bore at an angle, with friction: the
+// its weight; the last flights are 1 nm high and have to be right to 0.1 %. A
+// free disc that hits the bore at an angle, with friction: the
 // change of its angular momentum about the point of contact is zero, and it
 // slides or sticks as Coulomb's law says.
 
@@ -121,8 +119,16 @@ struct Flight
     , motion(equations,
              make_tolerances(mechanism,
                              compute_reference_scales(mechanism, closed),
-                             DynamicsParameters()))
+                             accurate()))
   {}
+
+  static DynamicsParameters
+  accurate()
+  {
+    DynamicsParameters dynamics;
+    dynamics.accuracy = 1e-6;
+    return dynamics;
+  }
 
   const Mechanism         mechanism;
   const Mechanism         closed_mechanism;
@@ -243,12 +249,6 @@ main()
   report_below("  mean of 505.96 N, relative error",
                std::abs(contact.mean_force() / 505.96 - 1),
                2e-4);
-  const JointDutyCycle link = five_millimetres("massless link", "slow motion");
-  const JointDutyCycle impact = five_millimetres("impact", "slow motion");
-  report_below("  impact against massless link, over the peak",
-               (impact.force() - link.force()).lpNorm<Eigen::Infinity>() /
-                 link.peak_force(),
-               1e-3);
   bounce();
   oblique(0.05);
   oblique(0.9);
