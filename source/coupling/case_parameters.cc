@@ -297,13 +297,14 @@ namespace Tribody
                                      "'" + bushing.name +
                                        "' is not the name of a revolute "
                                        "joint"));
-            AssertThrow(parameters.cycles == 0 || joint->has_clearance(),
-                        ExcParameter("Joint " + joint->name + "/Model",
-                                     "'" + joint->model +
-                                       "' knows no contact, so the bushing "
-                                       "cannot wear; write 'clearance', or "
-                                       "'set Cycles = 0' for the dynamics "
-                                       "alone"));
+            AssertThrow(
+              parameters.cycles == 0 || joint->has_clearance(),
+              ExcParameter("Joint " + joint->name + "/Model",
+                           "'" + joint->model +
+                             "' knows no contact pressure, so the bushing "
+                             "cannot wear; write 'clearance', or "
+                             "'set Cycles = 0' for the dynamics "
+                             "alone"));
           }
       }
 
@@ -362,12 +363,10 @@ namespace Tribody
               require(subsection, {"Pin marker", "Bushing marker"});
             else
               require(subsection, {"First marker", "Second marker"});
+            if (joint.has_gap())
+              require(subsection, {"Pin radius", "Bushing radius"});
             if (joint.has_clearance())
-              require(subsection,
-                      {"Pin radius",
-                       "Bushing radius",
-                       "Pin material",
-                       "Bushing material"});
+              require(subsection, {"Pin material", "Bushing material"});
           }
         for (const auto &spring : parameters.mechanism.springs)
           require(

@@ -63,41 +63,46 @@ namespace Tribody
 
 
     void
-    CycleRecorder::record(const unsigned int k, const MechanismState &state)
+    CycleRecorder::record(const unsigned int       k,
+                          const MechanismState    &state,
+                          const EquationsOfMotion &present)
     {
-      const Mechanism &mechanism = equations.mechanism();
+      const Mechanism &mechanism = present.mechanism();
       Eigen::VectorXd  applied(mechanism.n_coordinates());
-      equations.assemble_forces(
-        state.time, state.q, state.v, state.approach_speeds, applied);
+      present.assemble_forces(state.time,
+                              state.q,
+                              state.v,
+                              state.approach_speeds,
+                              state.friction_states,
+                              applied);
       // Not the multipliers of the integrator: those are outside its error
       // test. These are exact for the given q and v.
       record(k,
              state,
-             compute_accelerations(equations,
+             compute_accelerations(present,
                                    state.time,
                                    ConstraintOffsets(mechanism.n_constraints()),
                                    state.q,
                                    state.v,
-                                   applied));
+                                   applied),
+             present);
     }
 
 
 
     void
-    CycleRecorder::record(const unsigned int    k,
-                          const MechanismState &state,
-                          const Accelerations  &accelerations)
+    CycleRecorder::record(const unsigned int       k,
+                          const MechanismState    &state,
+                          const Accelerations     &accelerations,
+                          const EquationsOfMotion &present)
     {
       times(k) = state.time;
       q.col(k) = state.q;
       v.col(k) = state.v;
       a.col(k) = accelerations.a;
       for (unsigned int j = 0; j < contacts.size(); ++j)
-        contacts[j][k] = equations.compute_contact(j,
-                                                   state.q,
-                                                   state.v,
-                                                   state.approach_speeds[j]);
-      reactions[k] = compute_reactions(equations, state, accelerations);
+        contacts[j][k] = equations.compute_contact(j, state);
+      reactions[k] = compute_reactions(present, state, accelerations);
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
         forces.col(k).segment<2>(2 * j) = reactions[k].joints.col(j).head<2>();
       if (energy_account != nullptr)
@@ -193,6 +198,49 @@ namespace Tribody
 
 
     void
+    CycleRecorder::fill_rigid_clearance(const unsigned int joint,
+                                        JointDutyCycle    &result) const
+    {
+      const JointEntry &entry = equations.mechanism().joints()[joint];
+      // Where the force points; for a pin that flies, where e does.
+      fill_ideal(joint, result);
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          const unsigned int    k = 2 * s + 1;
+          const Eigen::Vector2d e =
+            entry.link->eccentricity(entry.bodies.gather(q.col(k)));
+          result.eccentricity(s) = e.norm();
+          result.penetration(s)  = e.norm() - entry.link->length;
+          if (result.normal_force(s) > 0)
+            continue;
+          const double angle = std::atan2(e.y(), e.x());
+          result.contact_angle_bushing(s) =
+            wrapped(angle - angle_of(entry.bodies.second, q, k));
+          result.contact_angle_pin(s) =
+            wrapped(angle - angle_of(entry.bodies.first, q, k));
+          if (entry.model == JointModel::flying)
+            result.state[s] = ContactState::free;
+        }
+    }
+
+
+
+    unsigned int
+    CycleRecorder::event_index(const unsigned int joint) const
+    {
+      const Mechanism  &mechanism = equations.mechanism();
+      const JointEntry &entry     = mechanism.joints()[joint];
+      if (entry.has_clearance)
+        return entry.index;
+      unsigned int k = 0;
+      while (mechanism.impact_joints()[k].joint != joint)
+        ++k;
+      return mechanism.clearance_joints().size() + k;
+    }
+
+
+
+    void
     CycleRecorder::fill_sliding(const unsigned int joint,
                                 JointDutyCycle    &result) const
     {
@@ -216,18 +264,18 @@ namespace Tribody
                                const std::vector<ContactEvent> &events,
                                JointDutyCycle                  &result) const
     {
-      const unsigned int index    = equations.mechanism().joints()[joint].index;
-      const double       interval = period / n_samples;
-      const double       begin    = times(0);
-      const double       end      = times(2 * n_samples);
+      const unsigned int index = event_index(joint);
+      const bool         is_in_contact_at_end =
+        equations.mechanism().joints()[joint].has_clearance
+                  ? contacts[index][2 * n_samples].penetration > 0
+                  : forces.col(2 * n_samples).segment<2>(2 * joint).norm() > 0;
+      const double interval = period / n_samples;
+      const double begin    = times(0);
+      const double end      = times(2 * n_samples);
       result.contacts =
         list_contacts(events,
                       index,
-                      {begin,
-                       end,
-                       0.,
-                       interval,
-                       contacts[index][2 * n_samples].penetration > 0});
+                      {begin, end, 0., interval, is_in_contact_at_end});
       result.state_shares = {{1., 0., 0.}};
       for (ContactInterval &contact : result.contacts)
         {
@@ -246,10 +294,13 @@ namespace Tribody
                          forces.col(k).segment<2>(2 * joint).norm());
           if (contact.state != ContactState::impact)
             continue;
-          // At most one sample lies in such a short contact.
-          const double s = std::ceil((contact.onset - times(1)) / interval);
+          // At most one sample lies in such a short contact. One without
+          // duration counts for the sample whose interval it is in.
+          const bool   is_instant = (contact.loss == contact.onset);
+          const double place      = (contact.onset - times(1)) / interval;
+          const double s = is_instant ? std::round(place) : std::ceil(place);
           if (s >= 0 && s < n_samples &&
-              times(1) + s * interval <= contact.loss)
+              (is_instant || times(1) + s * interval <= contact.loss))
             result.state[static_cast<unsigned int>(s)] = ContactState::impact;
         }
     }
@@ -313,6 +364,13 @@ namespace Tribody
         {
           fill_contact(j, joint);
           fill_events(j, events, joint);
+        }
+      else if (entry.link != nullptr)
+        {
+          joint.has_clearance = true;
+          fill_rigid_clearance(j, joint);
+          if (entry.model == JointModel::flying)
+            fill_events(j, events, joint);
         }
       else if (entry.is_revolute)
         fill_ideal(j, joint);

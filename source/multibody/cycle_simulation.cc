@@ -3,8 +3,8 @@
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/duty_cycle.h>
 #include <tribody/multibody/energy_account.h>
+#include <tribody/multibody/intermittent_motion.h>
 #include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/motion_integrator.h>
 #include <tribody/multibody/significant_digits.h>
 #include <tribody/multibody/slow_motion_start.h>
 #include <tribody/multibody/static_equilibrium.h>
@@ -46,7 +46,7 @@ namespace Tribody
                                         nominal_clearances(mechanism));
       const Eigen::VectorXd   q = assemble_configuration(closed_equations, 0.);
       check_redundancy(equations, q);
-      if (!mechanism.clearance_joints().empty() &&
+      if (!mechanism.has_only_ideal_joints() &&
           closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
       check_analysis();
@@ -78,12 +78,12 @@ namespace Tribody
                                 "' needs a mechanism whose motion is given by "
                                 "joints and drivers, but ";
       const int n = mechanism.n_degrees_of_freedom();
-      AssertThrow(mechanism.clearance_joints().empty(),
-                  ExcParameter("Dynamics/Analysis",
-                               needs + "joint '" +
-                                 mechanism.clearance_joints().front().name +
-                                 "' has clearance. Write 'set Model = ideal' "
-                                 "there, or 'dynamic'"));
+      for (const JointEntry &joint : mechanism.joints())
+        AssertThrow(joint.is_ideal(),
+                    ExcParameter("Dynamics/Analysis",
+                                 needs + "joint '" + joint.name +
+                                   "' has clearance. Write 'set Model = ideal' "
+                                   "there, or 'dynamic'"));
       AssertThrow(n == 0,
                   ExcParameter("Dynamics/Analysis",
                                needs + "this one has " + std::to_string(n) +
@@ -107,7 +107,7 @@ namespace Tribody
       // A joint with clearance that adds to a mechanism without degrees of
       // freedom does not get here: it is redundant.
       const bool moves_as_given = mechanism.n_degrees_of_freedom() == 0 &&
-                                  mechanism.clearance_joints().empty();
+                                  mechanism.has_only_ideal_joints();
       return moves_as_given ? run_kinematics(equations)
                             : run_dynamics(equations);
     }
@@ -239,7 +239,8 @@ namespace Tribody
     StartingState
     CycleSimulation::compute_start(const EquationsOfMotion &equations) const
     {
-      StartingState start = compute_centred_start(closed_equations, 0.);
+      StartingState start =
+        compute_centred_start(equations, closed_equations, 0.);
       if (parameters.start == "static equilibrium")
         {
           const StaticEquilibrium equilibrium =
@@ -252,7 +253,7 @@ namespace Tribody
             compute_initial_velocities(equations, 0., start.state.q);
           return start;
         }
-      if (parameters.start == "centred" || mechanism.clearance_joints().empty())
+      if (parameters.start == "centred" || mechanism.has_only_ideal_joints())
         return start;
       if (closed_mechanism.n_degrees_of_freedom() != 0)
         {
@@ -288,9 +289,9 @@ namespace Tribody
 
 
     unsigned long
-    CycleSimulation::record_cycle(const double      begins,
-                                  MotionIntegrator &integrator,
-                                  CycleRecorder    &recorder) const
+    CycleSimulation::record_cycle(const double        begins,
+                                  IntermittentMotion &integrator,
+                                  CycleRecorder      &recorder) const
     {
       const unsigned int  n       = parameters.samples_per_cycle;
       const unsigned long n_steps = integrator.statistics().n_steps;
@@ -298,10 +299,12 @@ namespace Tribody
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
           // The first cycle lacks the half interval before time 0.
-          const double t = std::max(0., begins + k * period / (2 * n));
-          recorder.record(k,
-                          integrator.advance_to(
-                            t, parameters.maximum_steps_per_cycle, n_taken));
+          const double          t = std::max(0., begins + k * period / (2 * n));
+          const MechanismState &state =
+            integrator.advance_to(t,
+                                  parameters.maximum_steps_per_cycle,
+                                  n_taken);
+          recorder.record(k, state, integrator.present_equations());
           n_taken = integrator.statistics().n_steps - n_steps;
         }
       return n_taken;
@@ -310,9 +313,9 @@ namespace Tribody
 
 
     SettlingReport
-    CycleSimulation::settle(MotionIntegrator &integrator,
-                            CycleRecorder    &recorder,
-                            unsigned long    &n_steps_in_cycle) const
+    CycleSimulation::settle(IntermittentMotion &integrator,
+                            CycleRecorder      &recorder,
+                            unsigned long      &n_steps_in_cycle) const
     {
       const double half_interval = period / (2 * parameters.samples_per_cycle);
       SettlingReport settling;
@@ -352,7 +355,7 @@ namespace Tribody
       MotionTolerances tolerances =
         make_tolerances(mechanism, scales, parameters);
       tolerances.maximum_step = period / parameters.samples_per_cycle;
-      MotionIntegrator    integrator(equations, tolerances);
+      IntermittentMotion  integrator(equations, tolerances);
       const StartingState start = compute_start(equations);
       integrator.start(start.state);
 
@@ -396,7 +399,7 @@ namespace Tribody
       cycle.statistics       = integrator.statistics();
       cycle.n_steps_in_cycle = n_steps_in_cycle;
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)
-        if (cycle.joints[j].has_clearance)
+        if (mechanism.joints()[j].has_clearance)
           cycle.joints[j].peak_force_since_start =
             integrator.peak_forces()[mechanism.joints()[j].index];
         else

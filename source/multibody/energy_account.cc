@@ -40,7 +40,7 @@ namespace Tribody
 
 
     EnergyAccount::EnergyAccount(const EquationsOfMotion &equations)
-      : equations(equations)
+      : equations(&equations)
     {}
 
 
@@ -49,7 +49,7 @@ namespace Tribody
     EnergyAccount::open(const MechanismState &state)
     {
       const unsigned int n_joints =
-        equations.mechanism().clearance_joints().size();
+        equations->mechanism().clearance_joints().size();
       exchanged.setZero(first_joint + 3 * n_joints);
       the_time = state.time;
       powers   = compute_powers(state);
@@ -101,19 +101,26 @@ namespace Tribody
     Eigen::VectorXd
     EnergyAccount::compute_powers(const MechanismState &state) const
     {
-      const Mechanism   &mechanism = equations.mechanism();
+      const Mechanism   &mechanism = equations->mechanism();
       const unsigned int m         = mechanism.n_constraints();
       Eigen::VectorXd    result    = Eigen::VectorXd::Zero(exchanged.size());
       Eigen::VectorXd    forces(mechanism.n_coordinates());
       Eigen::VectorXd    phi_t(m), phi_tt(m);
-      equations.assemble_forces(
-        state.time, state.q, state.v, state.approach_speeds, forces);
-      equations.assemble_time_derivatives(state.time, phi_t, phi_tt);
+      equations->assemble_forces(state.time,
+                                 state.q,
+                                 state.v,
+                                 state.approach_speeds,
+                                 state.friction_states,
+                                 forces);
+      equations->assemble_time_derivatives(state.time, phi_t, phi_tt);
       // -v^T Phi_q^T lambda, with Phi_q v = -Phi_t.
-      result(driver_work) =
-        compute_accelerations(
-          equations, state.time, ConstraintOffsets(m), state.q, state.v, forces)
-          .multipliers.dot(phi_t);
+      result(driver_work) = compute_accelerations(*equations,
+                                                  state.time,
+                                                  ConstraintOffsets(m),
+                                                  state.q,
+                                                  state.v,
+                                                  forces)
+                              .multipliers.dot(phi_t);
       result(force_work) = compute_applied_power(state);
       for (const Spring &spring : mechanism.springs())
         result(damper_loss) += damper_power(spring, state);
@@ -129,7 +136,7 @@ namespace Tribody
     double
     EnergyAccount::compute_applied_power(const MechanismState &state) const
     {
-      const Mechanism &mechanism = equations.mechanism();
+      const Mechanism &mechanism = equations->mechanism();
       double           power     = 0.;
       for (const AppliedForce &force : mechanism.applied_forces())
         {
@@ -150,12 +157,11 @@ namespace Tribody
                                     const MechanismState &state,
                                     Eigen::VectorXd      &result) const
     {
-      const JointContact contact = equations.compute_contact(
-        joint, state.q, state.v, state.approach_speeds[joint]);
+      const JointContact contact = equations->compute_contact(joint, state);
       if (contact.penetration <= 0)
         return;
       const ClearanceJoint &element =
-        equations.mechanism().clearance_joints()[joint];
+        equations->mechanism().clearance_joints()[joint];
       const PairVector q     = element.bodies.gather(state.q);
       const PairVector v     = element.bodies.gather(state.v);
       const double     total = -v.dot(element.compute_force(q, contact));
@@ -180,7 +186,7 @@ namespace Tribody
     void
     EnergyAccount::update_record(const MechanismState &state)
     {
-      const Energy       energy   = equations.compute_energy(state.q, state.v);
+      const Energy       energy   = equations->compute_energy(state.q, state.v);
       const unsigned int n_joints = (exchanged.size() - first_joint) / 3;
       const Eigen::Map<const Eigen::MatrixXd> of_joints(
         exchanged.data() + first_joint, 3, n_joints);

@@ -2,11 +2,28 @@
 
 #include <tribody/multibody/equations_of_motion.h>
 #include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/mechanism_state.h>
 
 namespace Tribody
 {
   namespace Multibody
   {
+    namespace
+    {
+      // Of all states, the one of this joint; zero if its law has none or none
+      // are given.
+      double
+      friction_state(const ClearanceJoint                    &joint,
+                     const Eigen::Ref<const Eigen::VectorXd> &z)
+      {
+        return joint.friction_state_index < 0 || z.size() == 0
+                 ? 0.
+                 : z(joint.friction_state_index);
+      }
+    } // namespace
+
+
+
     EquationsOfMotion::EquationsOfMotion(
       const Mechanism                     &mechanism,
       const std::vector<ClearanceProfile> &clearances)
@@ -47,6 +64,26 @@ namespace Tribody
             if (bodies.body(k) != ground_body)
               phi_q.block(row, 3 * bodies.body(k), n, 3) =
                 local.block(0, 3 * k, n, 3);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::add_constraint_jacobian(ConstVector        q,
+                                               const Eigen::Index first,
+                                               MatrixEntries     &entries) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        {
+          const Constraint::Jacobian local =
+            element->jacobian(element->bodies.gather(q));
+          const auto rows = local.topRows(element->n_equations);
+          element->bodies.add_rows_to(rows, first + row, 0, entries);
+          element->bodies.add_columns_to(rows.transpose(),
+                                         0,
+                                         first + row,
+                                         entries);
         }
     }
 
@@ -183,6 +220,21 @@ namespace Tribody
       const std::vector<double> &approach_speeds,
       Vector                     forces) const
     {
+      const Eigen::VectorXd no_states;
+      assemble_forces(t, q, v, approach_speeds, no_states, forces);
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_forces(
+      const double               t,
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      Vector                     forces) const
+    {
       forces = system.weights();
       for (const Spring &spring : system.springs())
         spring.bodies.add_to(
@@ -205,10 +257,78 @@ namespace Tribody
         {
           const ClearanceJoint &joint   = system.clearance_joints()[j];
           const PairVector      local_q = joint.bodies.gather(q);
-          const JointContact    contact = joint.compute_contact(
-            local_q, joint.bodies.gather(v), clearances[j], approach_speeds[j]);
+          const JointContact    contact =
+            joint.compute_contact(local_q,
+                                  joint.bodies.gather(v),
+                                  clearances[j],
+                                  approach_speeds[j],
+                                  friction_state(joint, z));
           if (contact.penetration > 0)
             joint.bodies.add_to(joint.compute_force(local_q, contact), forces);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_friction_state_rates(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      Vector                     rates) const
+    {
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint = system.clearance_joints()[j];
+          const int             k     = joint.friction_state_index;
+          if (k >= 0)
+            rates(k) = joint.compute_friction_state_rate(
+              compute_contact(j, q, v, approach_speeds[j], z(k)), z(k));
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::subtract_friction_state_derivatives(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      const Eigen::Index         row,
+      const Eigen::Index         q_column,
+      const Eigen::Index         v_column,
+      const Eigen::Index         state,
+      MatrixEntries             &entries) const
+    {
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint = system.clearance_joints()[j];
+          const int             k     = joint.friction_state_index;
+          if (k < 0)
+            continue;
+          const ClearanceForce f =
+            joint.compute_force_with_derivatives(joint.bodies.gather(q),
+                                                 joint.bodies.gather(v),
+                                                 clearances[j],
+                                                 approach_speeds[j],
+                                                 z(k));
+          for (const int l : {0, 1})
+            if (joint.bodies.body(l) != ground_body)
+              {
+                const int first = 3 * joint.bodies.body(l);
+                entries.add_block(row + first,
+                                  state + k,
+                                  -f.d_state.segment<3>(3 * l));
+                entries.add_block(state + k,
+                                  q_column + first,
+                                  -f.rate_d_position.segment<3>(3 * l));
+                entries.add_block(state + k,
+                                  v_column + first,
+                                  -f.rate_d_velocity.segment<3>(3 * l));
+              }
+          entries.add(state + k, state + k, -f.rate_d_state);
         }
     }
 
@@ -220,6 +340,7 @@ namespace Tribody
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
+      ConstVector                z,
       const Eigen::Index         row,
       const Eigen::Index         q_column,
       const Eigen::Index         v_column,
@@ -252,7 +373,9 @@ namespace Tribody
                    joint.compute_force_with_derivatives(joint.bodies.gather(q),
                                                         joint.bodies.gather(v),
                                                         clearances[j],
-                                                        approach_speeds[j]));
+                                                        approach_speeds[j],
+                                                        friction_state(joint,
+                                                                       z)));
         }
     }
 
@@ -272,13 +395,29 @@ namespace Tribody
     EquationsOfMotion::compute_contact(const unsigned int joint,
                                        ConstVector        q,
                                        ConstVector        v,
-                                       const double       approach_speed) const
+                                       const double       approach_speed,
+                                       const double       friction_state) const
     {
       const ClearanceJoint &j = system.clearance_joints()[joint];
       return j.compute_contact(j.bodies.gather(q),
                                j.bodies.gather(v),
                                clearances[joint],
-                               approach_speed);
+                               approach_speed,
+                               friction_state);
+    }
+
+
+
+    JointContact
+    EquationsOfMotion::compute_contact(const unsigned int    joint,
+                                       const MechanismState &state) const
+    {
+      return compute_contact(joint,
+                             state.q,
+                             state.v,
+                             state.approach_speeds[joint],
+                             friction_state(system.clearance_joints()[joint],
+                                            state.friction_states));
     }
 
 

@@ -356,7 +356,8 @@ namespace Tribody
     void
     IdaIntegrator::start(const double           t,
                          const Eigen::VectorXd &y,
-                         const Eigen::VectorXd &y_t)
+                         const Eigen::VectorXd &y_t,
+                         const double           initial_step)
     {
       memory->previous_runs += memory->statistics_of_this_run();
       memory->time = t;
@@ -364,7 +365,10 @@ namespace Tribody
       memory->y_t  = y_t;
       memory->check(IDAReInit(memory->ida, t, memory->nv_y, memory->nv_y_t),
                     "IDAReInit");
-      memory->check(IDASetInitStep(memory->ida, memory->settings.initial_step),
+      memory->check(IDASetInitStep(memory->ida,
+                                   initial_step > 0
+                                     ? initial_step
+                                     : memory->settings.initial_step),
                     "IDASetInitStep");
       if (!memory->is_started)
         memory->make_linear_solver();

@@ -167,7 +167,9 @@ namespace Tribody
                                  joint.bushing_radius,
                                  {},
                                  {},
-                                 {}};
+                                 {},
+                                 JointModel::ideal,
+                                 nullptr};
       Marker            first, second;
       if (joint.is_revolute())
         {
@@ -190,8 +192,11 @@ namespace Tribody
       if (joint.has_clearance())
         {
           entry.index = the_clearance_joints.size();
+          entry.model = JointModel::clearance;
           add_clearance_joint(joint, first, second);
         }
+      else if (joint.has_gap())
+        add_rigid_clearance(joint, first, second, entry);
       else if (joint.is_revolute())
         add_constraint(
           std::make_shared<RevoluteConstraint>(path, first, second));
@@ -224,6 +229,44 @@ namespace Tribody
                                       make_friction_law(joint),
                                       joint.tangential_damping,
                                       joint.minimum_approach_speed});
+      if (has_state(the_clearance_joints.back().friction_law))
+        the_clearance_joints.back().friction_state_index = n_states++;
+    }
+
+
+
+    void
+    Mechanism::add_rigid_clearance(const JointParameters &joint,
+                                   const Marker          &pin,
+                                   const Marker          &bushing,
+                                   JointEntry            &entry)
+    {
+      const auto link =
+        std::make_shared<const MasslessLinkConstraint>("Joint " + joint.name,
+                                                       pin,
+                                                       bushing,
+                                                       joint.bushing_radius -
+                                                         joint.pin_radius);
+      entry.link              = link;
+      entry.model             = joint.model == "impact" ? JointModel::flying
+                                : joint.model == "following" ? JointModel::following
+                                                             : JointModel::massless_link;
+      const bool is_following = entry.model == JointModel::following;
+      if (entry.model != JointModel::massless_link)
+        the_impact_joints.push_back(
+          {static_cast<unsigned int>(the_joints.size()),
+           link,
+           joint.pin_radius,
+           joint.bushing_radius,
+           joint.restitution_coefficient,
+           joint.friction_law == "none" ? 0. : joint.friction_coefficient,
+           joint.capture_speed,
+           is_following,
+           n_equations});
+      if (entry.model == JointModel::flying)
+        entry.index = static_cast<unsigned int>(-1);
+      else
+        add_constraint(link);
     }
 
 

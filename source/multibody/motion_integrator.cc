@@ -17,6 +17,7 @@ namespace Tribody
       : equations(equations)
       , n(equations.mechanism().n_coordinates())
       , m(equations.mechanism().n_constraints())
+      , n_states(equations.mechanism().n_friction_states())
       , phi(m)
       , forces(n)
     {
@@ -47,14 +48,11 @@ namespace Tribody
                                MatrixEntries &entries) {
         assemble_jacobian(y, t, c, entries);
       };
-      system.n_roots = equations.mechanism().clearance_joints().size();
-      system.roots =
-        [this, n_roots = system.n_roots](const double /*t*/,
-                                         const ImplicitSystem::ConstVector &y,
-                                         double *values) {
-          for (unsigned int j = 0; j < n_roots; ++j)
-            values[j] = equations.compute_penetration(j, y.head(n));
-        };
+      system.n_roots = equations.mechanism().clearance_joints().size() +
+                       equations.mechanism().impact_joints().size();
+      system.roots = [this](const double                       t,
+                            const ImplicitSystem::ConstVector &y,
+                            double *values) { evaluate_roots(t, y, values); };
       return system;
     }
 
@@ -63,15 +61,17 @@ namespace Tribody
     IdaSettings
     MotionIntegrator::make_settings(const MotionTolerances &tolerances) const
     {
-      IdaSettings settings;
-      settings.is_differential.resize(2 * n + 2 * m);
+      IdaSettings        settings;
+      const unsigned int size = 2 * n + 2 * m + n_states;
+      settings.is_differential.resize(size);
       settings.is_differential << Eigen::VectorXd::Ones(2 * n),
-        Eigen::VectorXd::Zero(2 * m);
+        Eigen::VectorXd::Zero(2 * m), Eigen::VectorXd::Ones(n_states);
       // Multipliers follow from q and v at every instant: they must not keep
       // Newton's method from converging.
-      settings.absolute_tolerances.resize(2 * n + 2 * m);
+      settings.absolute_tolerances.resize(size);
       settings.absolute_tolerances << tolerances.positions,
-        tolerances.velocities, Eigen::VectorXd::Constant(2 * m, 1e30);
+        tolerances.velocities, Eigen::VectorXd::Constant(2 * m, 1e30),
+        tolerances.friction_states;
       settings.maximum_order = tolerances.maximum_order;
       settings.maximum_step  = tolerances.maximum_step;
       settings.initial_step  = tolerances.initial_step;
@@ -88,8 +88,9 @@ namespace Tribody
     {
       const auto q = y.head(n);
       const auto v = y.segment(n, n);
+      const auto z = y.tail(n_states);
 
-      equations.assemble_forces(t, q, v, current.approach_speeds, forces);
+      equations.assemble_forces(t, q, v, current.approach_speeds, z, forces);
       residual.head(n) = y_t.head(n) - v;
       residual.segment(n, n) =
         equations.mechanism().masses().cwiseProduct(y_t.segment(n, n)) - forces;
@@ -97,11 +98,18 @@ namespace Tribody
                                           q,
                                           v,
                                           y.segment(2 * n, m),
-                                          y.tail(m),
+                                          y.segment(2 * n + m, m),
                                           residual.segment(2 * n, m),
-                                          residual.tail(m),
+                                          residual.segment(2 * n + m, m),
                                           residual.segment(n, n),
                                           residual.head(n));
+      if (n_states > 0)
+        {
+          equations.assemble_friction_state_rates(
+            q, v, current.approach_speeds, z, residual.tail(n_states));
+          residual.tail(n_states) =
+            y_t.tail(n_states) - residual.tail(n_states);
+        }
     }
 
 
@@ -114,6 +122,7 @@ namespace Tribody
     {
       const auto             q      = y.head(n);
       const auto             v      = y.segment(n, n);
+      const auto             z      = y.tail(n_states);
       const Eigen::VectorXd &masses = equations.mechanism().masses();
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -122,11 +131,19 @@ namespace Tribody
           entries.add(n + i, n + i, c * masses(i));
         }
       equations.subtract_force_derivatives(
-        t, q, v, current.approach_speeds, n, 0, n, entries);
+        t, q, v, current.approach_speeds, z, n, 0, n, entries);
+      if (n_states > 0)
+        {
+          const Eigen::Index state = 2 * n + 2 * m;
+          equations.subtract_friction_state_derivatives(
+            q, v, current.approach_speeds, z, n, 0, n, state, entries);
+          for (unsigned int k = 0; k < n_states; ++k)
+            entries.add(state + k, state + k, c);
+        }
       equations.add_constraint_derivatives(q,
                                            v,
                                            y.segment(2 * n, m),
-                                           y.tail(m),
+                                           y.segment(2 * n + m, m),
                                            {0, n, 2 * n, 2 * n + m},
                                            entries);
     }
@@ -142,6 +159,20 @@ namespace Tribody
       current.approach_speeds.resize(joints.size());
       for (unsigned int j = 0; j < joints.size(); ++j)
         current.approach_speeds[j] = joints[j].minimum_approach_speed;
+      if (current.friction_states.size() != n_states)
+        {
+          current.friction_states = Eigen::VectorXd::Zero(n_states);
+          for (unsigned int j = 0; j < joints.size(); ++j)
+            if (joints[j].friction_state_index >= 0)
+              {
+                const JointContact contact =
+                  equations.compute_contact(j, current);
+                if (contact.penetration > 0)
+                  current.friction_states(joints[j].friction_state_index) =
+                    compute_steady_friction_state(joints[j].friction_law,
+                                                  contact.sliding_speed);
+              }
+        }
       the_events.clear();
       the_peak_forces.assign(joints.size(), 0.);
       contact_peak_forces.assign(joints.size(), 0.);
@@ -152,10 +183,28 @@ namespace Tribody
 
 
     void
-    MotionIntegrator::restart()
+    MotionIntegrator::resume(const MechanismState &state,
+                             const double          initial_step)
     {
-      equations.assemble_forces(
-        current.time, current.q, current.v, current.approach_speeds, forces);
+      current = state;
+      const unsigned int n_contacts =
+        equations.mechanism().clearance_joints().size();
+      the_peak_forces.resize(n_contacts);
+      contact_peak_forces.resize(n_contacts);
+      restart(initial_step);
+    }
+
+
+
+    void
+    MotionIntegrator::restart(const double initial_step)
+    {
+      equations.assemble_forces(current.time,
+                                current.q,
+                                current.v,
+                                current.approach_speeds,
+                                current.friction_states,
+                                forces);
       const Accelerations accelerations =
         compute_accelerations(equations,
                               current.time,
@@ -163,14 +212,34 @@ namespace Tribody
                               current.q,
                               current.v,
                               forces);
-      Eigen::VectorXd y(2 * n + 2 * m), y_t(2 * n + 2 * m);
+      Eigen::VectorXd rates(n_states);
+      equations.assemble_friction_state_rates(current.q,
+                                              current.v,
+                                              current.approach_speeds,
+                                              current.friction_states,
+                                              rates);
+      const unsigned int size = 2 * n + 2 * m + n_states;
+      Eigen::VectorXd    y(size), y_t(size);
       y << current.q, current.v, accelerations.multipliers,
-        Eigen::VectorXd::Zero(m);
-      y_t << current.v, accelerations.a, Eigen::VectorXd::Zero(2 * m);
-      ida->start(current.time, y, y_t);
+        Eigen::VectorXd::Zero(m), current.friction_states;
+      y_t << current.v, accelerations.a, Eigen::VectorXd::Zero(2 * m), rates;
+      ida->start(current.time, y, y_t, initial_step);
       if (energy_account != nullptr)
         energy_account->restart(current);
       restart_is_pending = false;
+      stop_is_pending    = false;
+      the_stops.clear();
+    }
+
+
+
+    void
+    MotionIntegrator::update_current(const double t, const Eigen::VectorXd &y)
+    {
+      current.time            = t;
+      current.q               = y.head(n);
+      current.v               = y.segment(n, n);
+      current.friction_states = y.tail(n_states);
     }
 
 
@@ -178,14 +247,21 @@ namespace Tribody
     void
     MotionIntegrator::record_step(const std::vector<int> &roots)
     {
-      const Eigen::VectorXd &y = ida->solution();
+      const Eigen::VectorXd &y         = ida->solution();
+      const Mechanism       &mechanism = equations.mechanism();
       equations.assemble_constraints(ida->time(), y.head(n), phi);
       if (m > 0)
         the_drift = std::max(the_drift, phi.lpNorm<Eigen::Infinity>());
-      for (unsigned int j = 0; j < roots.size(); ++j)
+      const unsigned int n_contacts = mechanism.clearance_joints().size();
+      for (unsigned int j = 0; j < n_contacts; ++j)
         {
-          const JointContact contact = equations.compute_contact(
-            j, y.head(n), y.segment(n, n), current.approach_speeds[j]);
+          const int k = mechanism.clearance_joints()[j].friction_state_index;
+          const JointContact contact =
+            equations.compute_contact(j,
+                                      y.head(n),
+                                      y.segment(n, n),
+                                      current.approach_speeds[j],
+                                      k < 0 ? 0. : y(2 * n + 2 * m + k));
           const double force =
             std::hypot(contact.normal_force, contact.tangential_force);
           the_peak_forces[j]     = std::max(the_peak_forces[j], force);
@@ -200,6 +276,33 @@ namespace Tribody
           contact_peak_forces[j] = 0.;
           restart_is_pending     = restart_is_pending || roots[j] > 0;
         }
+      // A flying pin hits where its penetration rises through zero, a following
+      // one flies where its force falls through it.
+      for (unsigned int k = 0; k < mechanism.impact_joints().size(); ++k)
+        if (roots[n_contacts + k] ==
+            (mechanism.impact_joints()[k].is_following ? -1 : 1))
+          the_stops.push_back(k);
+      stop_is_pending = !the_stops.empty();
+    }
+
+
+
+    void
+    MotionIntegrator::take_stop()
+    {
+      update_current(ida->time(), ida->solution());
+      for (auto e = the_events.rbegin();
+           e != the_events.rend() && e->time == current.time;
+           ++e)
+        if (e->is_onset)
+          {
+            const ClearanceJoint &joint =
+              equations.mechanism().clearance_joints()[e->joint];
+            current.approach_speeds[e->joint] =
+              std::max(e->penetration_rate, joint.minimum_approach_speed);
+            if (joint.friction_state_index >= 0)
+              current.friction_states(joint.friction_state_index) = 0.;
+          }
     }
 
 
@@ -209,28 +312,17 @@ namespace Tribody
                                  const unsigned long maximum_steps,
                                  const unsigned long n_steps_before)
     {
-      if (t == current.time)
+      if (t == current.time && !stop_is_pending)
         return current;
       unsigned long n_steps = n_steps_before;
-      while (ida->time() < t)
+      while (ida->time() < t && !stop_is_pending)
         {
           book_energy(ida->time());
           if (restart_is_pending)
             {
               // The step behind us went past the onset with an approach speed
               // of the contact before. It is given up from there on.
-              current.time = ida->time();
-              current.q    = ida->solution().head(n);
-              current.v    = ida->solution().segment(n, n);
-              for (auto e = the_events.rbegin();
-                   e != the_events.rend() && e->time == current.time;
-                   ++e)
-                if (e->is_onset)
-                  current.approach_speeds[e->joint] =
-                    std::max(e->penetration_rate,
-                             equations.mechanism()
-                               .clearance_joints()[e->joint]
-                               .minimum_approach_speed);
+              take_stop();
               restart();
             }
           AssertThrow(n_steps++ < maximum_steps,
@@ -242,6 +334,12 @@ namespace Tribody
                              " s. A larger 'Dynamics/Accuracy' takes longer "
                              "steps."));
           record_step(ida->step(t + 1.));
+        }
+      if (stop_is_pending && ida->time() <= t)
+        {
+          book_energy(ida->time());
+          take_stop();
+          return current;
         }
       book_energy(t);
       current = state_at(t);
@@ -257,7 +355,8 @@ namespace Tribody
       return {t,
               interpolated.head(n),
               interpolated.segment(n, n),
-              current.approach_speeds};
+              current.approach_speeds,
+              interpolated.tail(n_states)};
     }
 
 

@@ -74,11 +74,9 @@ namespace Tribody
           PairVector            force;
           if (joint.has_clearance)
             force = mechanism.clearance_joints()[joint.index].compute_force(
-              q,
-              equations.compute_contact(joint.index,
-                                        state.q,
-                                        state.v,
-                                        state.approach_speeds[joint.index]));
+              q, equations.compute_contact(joint.index, state));
+          else if (joint.model == JointModel::flying)
+            force.setZero();
           else
             force = constraint_forces(mechanism.constraints()[joint.index],
                                       state.q,

@@ -190,7 +190,7 @@ namespace Tribody
         DenseEntries          entries(jacobian);
         const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(n);
         equations.subtract_force_derivatives(
-          t, q, at_rest, approach_speeds, n, 0, n, entries);
+          t, q, at_rest, approach_speeds, at_rest.head(0), n, 0, n, entries);
         equations.add_constraint_derivatives(q,
                                              at_rest,
                                              balance.multipliers,

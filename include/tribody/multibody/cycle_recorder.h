@@ -35,15 +35,22 @@ namespace Tribody
       set_energy_account(const EnergyAccount *account);
 
       /// Record number @p k, from 0 to 2 n, of a motion: the accelerations and
-      /// reactions are those that the equations of motion give for it.
+      /// reactions are those that the equations of motion give for it. @p
+      /// present are these equations: they know the pins that follow their
+      /// bores.
       void
-      record(const unsigned int k, const MechanismState &state);
+      record(const unsigned int       k,
+             const MechanismState    &state,
+             const EquationsOfMotion &present);
 
       /// Record number @p k with the given accelerations and reactions.
       void
       record(const unsigned int    k,
              const MechanismState &state,
-             const Accelerations  &accelerations);
+             const Accelerations  &accelerations)
+      {
+        record(k, state, accelerations, equations);
+      }
 
       /// Exchange what has been recorded with @p other, of the same mechanism
       /// and the same times.
@@ -61,10 +68,25 @@ namespace Tribody
 
     private:
       void
+      record(const unsigned int       k,
+             const MechanismState    &state,
+             const Accelerations     &accelerations,
+             const EquationsOfMotion &present);
+
+      void
       fill_contact(const unsigned int joint, JointDutyCycle &result) const;
 
       void
       fill_ideal(const unsigned int joint, JointDutyCycle &result) const;
+
+      // With a massless link, or with impacts.
+      void
+      fill_rigid_clearance(const unsigned int joint,
+                           JointDutyCycle    &result) const;
+
+      // The number of @p joint in contact events.
+      unsigned int
+      event_index(const unsigned int joint) const;
 
       void
       fill_sliding(const unsigned int joint, JointDutyCycle &result) const;

@@ -15,7 +15,7 @@ namespace Tribody
   namespace Multibody
   {
     class CycleRecorder;
-    class MotionIntegrator;
+    class IntermittentMotion;
     struct DutyCycle;
     struct SettlingReport;
     struct StartingState;
@@ -91,16 +91,16 @@ namespace Tribody
 
       // Go through one cycle; returns the integration steps taken.
       unsigned long
-      record_cycle(const double      begins,
-                   MotionIntegrator &integrator,
-                   CycleRecorder    &recorder) const;
+      record_cycle(const double        begins,
+                   IntermittentMotion &integrator,
+                   CycleRecorder      &recorder) const;
 
       // Go through cycles until one repeats the one before; the last is left
       // in recorder.
       SettlingReport
-      settle(MotionIntegrator &integrator,
-             CycleRecorder    &recorder,
-             unsigned long    &n_steps_in_cycle) const;
+      settle(IntermittentMotion &integrator,
+             CycleRecorder      &recorder,
+             unsigned long      &n_steps_in_cycle) const;
 
       // In static equilibrium, or in slow motion if asked for and possible,
       // else centred; the message of its report says why.

@@ -23,6 +23,15 @@ namespace Tribody
       /// Keeps a reference to @p equations.
       explicit EnergyAccount(const EquationsOfMotion &equations);
 
+      /// Go on with other equations of the same coordinates and joints, to
+      /// which a reference is kept: pins have begun or ceased to follow their
+      /// bores.
+      void
+      set_equations(const EquationsOfMotion &present)
+      {
+        equations = &present;
+      }
+
       /// Begin anew at @p state.
       void
       open(const MechanismState &state);
@@ -72,7 +81,7 @@ namespace Tribody
       void
       update_record(const MechanismState &state);
 
-      const EquationsOfMotion &equations;
+      const EquationsOfMotion *equations;
       double                   the_time = 0.;
       Eigen::VectorXd          exchanged;
       Eigen::VectorXd          powers;

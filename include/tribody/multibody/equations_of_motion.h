@@ -14,6 +14,7 @@ namespace Tribody
   {
     class MatrixEntries;
     class Mechanism;
+    struct MechanismState;
 
     /// Kinetic and potential energy [J]. Contacts and applied forces are not
     /// included.
@@ -79,6 +80,13 @@ namespace Tribody
       void
       assemble_constraint_jacobian(ConstVector q, Matrix phi_q) const;
 
+      /// Add Phi_q to the rows of @p entries from @p first on, and its
+      /// transpose to the columns.
+      void
+      add_constraint_jacobian(ConstVector        q,
+                              const Eigen::Index first,
+                              MatrixEntries     &entries) const;
+
       /// Phi_t, and d(Phi_t)/dt = Phi_tt.
       void
       assemble_time_derivatives(const double t,
@@ -127,13 +135,47 @@ namespace Tribody
                       const std::vector<double> &approach_speeds,
                       Vector                     forces) const;
 
+      /// The same for a mechanism whose friction laws have the states @p z.
+      void
+      assemble_forces(const double               t,
+                      ConstVector                q,
+                      ConstVector                v,
+                      const std::vector<double> &approach_speeds,
+                      ConstVector                z,
+                      Vector                     forces) const;
+
+      /// z', the rates of the states of the friction laws.
+      void
+      assemble_friction_state_rates(ConstVector                q,
+                                    ConstVector                v,
+                                    const std::vector<double> &approach_speeds,
+                                    ConstVector                z,
+                                    Vector                     rates) const;
+
+      /// Subtract the derivatives of Q with respect to z, and those of z', from
+      /// @p entries. Rows and columns: of Q and q as below; states are counted
+      /// from @p state on in both.
+      void
+      subtract_friction_state_derivatives(
+        ConstVector                q,
+        ConstVector                v,
+        const std::vector<double> &approach_speeds,
+        ConstVector                z,
+        const Eigen::Index         row,
+        const Eigen::Index         q_column,
+        const Eigen::Index         v_column,
+        const Eigen::Index         state,
+        MatrixEntries             &entries) const;
+
       /// Subtract dQ/dq from @p entries, beginning at (@p row, @p q_column),
-      /// and dQ/dv, beginning at (@p row, @p v_column).
+      /// and dQ/dv, beginning at (@p row, @p v_column). States of friction that
+      /// are not given are zero.
       void
       subtract_force_derivatives(const double               t,
                                  ConstVector                q,
                                  ConstVector                v,
                                  const std::vector<double> &approach_speeds,
+                                 ConstVector                z,
                                  const Eigen::Index         row,
                                  const Eigen::Index         q_column,
                                  const Eigen::Index         v_column,
@@ -148,7 +190,13 @@ namespace Tribody
       compute_contact(const unsigned int joint,
                       ConstVector        q,
                       ConstVector        v,
-                      const double       approach_speed) const;
+                      const double       approach_speed,
+                      const double       friction_state = 0.) const;
+
+      /// The same in a state of the mechanism.
+      JointContact
+      compute_contact(const unsigned int    joint,
+                      const MechanismState &state) const;
 
       Energy
       compute_energy(ConstVector q, ConstVector v) const;

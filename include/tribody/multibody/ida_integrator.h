@@ -83,11 +83,13 @@ namespace Tribody
       IdaIntegrator &
       operator=(const IdaIntegrator &) = delete;
 
-      /// (Re)start from consistent values at time @p t.
+      /// (Re)start from consistent values at time @p t. A positive
+      /// @p initial_step takes the place of that of the settings.
       void
       start(const double           t,
             const Eigen::VectorXd &y,
-            const Eigen::VectorXd &y_t);
+            const Eigen::VectorXd &y_t,
+            const double           initial_step = 0.);
 
       /**
        * One internal step, or up to the next zero of a root function.

@@ -5,6 +5,7 @@
 #include <tribody/multibody/clearance_joint.h>
 #include <tribody/multibody/constraint.h>
 #include <tribody/multibody/driver_motion.h>
+#include <tribody/multibody/impact_joint.h>
 #include <tribody/multibody/mechanism_parameters.h>
 #include <tribody/multibody/rotational_spring.h>
 #include <tribody/multibody/spring.h>
@@ -24,11 +25,26 @@ namespace Tribody
       unsigned int first_row;
     };
 
+    /// How the pin of a revolute joint is kept in its bushing.
+    enum class JointModel
+    {
+      /// By a constraint on both coordinates.
+      ideal,
+      /// By contact forces.
+      clearance,
+      /// By a constraint on its distance from the centre.
+      massless_link,
+      /// By impacts: flying between two of them, or following the bore.
+      flying,
+      following
+    };
+
     /// A joint by its kind: where to look for it.
     struct JointEntry
     {
       std::string name;
-      /// Index into clearance_joints() if true, into constraints() if false.
+      /// Index into clearance_joints() if true, otherwise into constraints();
+      /// without meaning for a pin that flies.
       bool         has_clearance;
       unsigned int index;
       /// Whether pin and bushing turn against each other.
@@ -40,6 +56,17 @@ namespace Tribody
       /// Its markers in the frames of these bodies [m].
       Eigen::Vector2d first_position  = Eigen::Vector2d::Zero();
       Eigen::Vector2d second_position = Eigen::Vector2d::Zero();
+      /// Ideal for joints that are not revolute.
+      JointModel model = JointModel::ideal;
+      /// e and c of the models without contact forces; null for others.
+      std::shared_ptr<const MasslessLinkConstraint> link = nullptr;
+
+      /// Whether pin and bushing are held together at their centres.
+      bool
+      is_ideal() const
+      {
+        return model == JointModel::ideal;
+      }
     };
 
     /**
@@ -96,6 +123,29 @@ namespace Tribody
       clearance_joints() const
       {
         return the_clearance_joints;
+      }
+
+      /// The joints with impacts, flying or following.
+      const std::vector<ImpactJoint> &
+      impact_joints() const
+      {
+        return the_impact_joints;
+      }
+
+      bool
+      has_only_ideal_joints() const
+      {
+        for (const JointEntry &joint : the_joints)
+          if (!joint.is_ideal())
+            return false;
+        return true;
+      }
+
+      /// States of friction laws: one for each that has one.
+      unsigned int
+      n_friction_states() const
+      {
+        return n_states;
       }
 
       /// All joints, in the order of the parameters.
@@ -198,6 +248,13 @@ namespace Tribody
                           const Marker          &pin,
                           const Marker          &bushing);
 
+      // With a massless link, or with impacts.
+      void
+      add_rigid_clearance(const JointParameters &joint,
+                          const Marker          &pin,
+                          const Marker          &bushing,
+                          JointEntry            &entry);
+
       void
       add_constraint(const std::shared_ptr<const Constraint> &constraint);
 
@@ -219,6 +276,7 @@ namespace Tribody
       const MechanismParameters       the_parameters;
       std::vector<NumberedConstraint> the_constraints;
       std::vector<ClearanceJoint>     the_clearance_joints;
+      std::vector<ImpactJoint>        the_impact_joints;
       std::vector<JointEntry>         the_joints;
       std::vector<Spring>             the_springs;
       std::vector<DriverMotion>       the_driver_motions;
@@ -230,6 +288,7 @@ namespace Tribody
       Eigen::VectorXd                 the_initial_coordinates;
       Eigen::VectorXd                 the_initial_velocities;
       unsigned int                    n_equations = 0;
+      unsigned int                    n_states    = 0;
       double                          the_size    = 0.;
     };
   } // namespace Multibody
