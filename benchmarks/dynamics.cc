@@ -1,29 +1,40 @@
 // What the dynamics costs at a measured accuracy.
 //
-// Usage: dynamics DIRECTORY_WITH_PRM_FILES [CASE ...]
+// Usage: benchmark_dynamics DIRECTORY_WITH_PRM_FILES [--json] [CASE ...]
 //
 // For each case and each 'Dynamics/Accuracy': integration steps, residual and
 // Jacobian evaluations and milliseconds per cycle of the motion (the median of
-// several runs), beside the rms error of the joint force over the last cycle,
+// several runs), beside the rms error of the joint force over the second cycle,
 // relative to the mean force. The error is that against a run of the same
 // cycles 1000 times tighter than the default accuracy.
+//
+// With --json, mechanism, start, results and the reference are written as JSON
+// instead of a table: radau.py integrates the same equations.
+
+#include <nlohmann/json.hpp>
 
 #include <tribody/coupling/case_parameters.h>
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/slow_motion_start.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <string>
 #include <vector>
 
 using namespace Tribody;
 using namespace Tribody::Multibody;
+using nlohmann::json;
+
+constexpr unsigned int n_samples = 72;
+// 1000 times below the default.
+constexpr double tightest_accuracy = 3e-7;
 
 struct Case
 {
@@ -106,12 +117,24 @@ make_chain(const unsigned int n)
   return p;
 }
 
+Case
+chain(const unsigned int n)
+{
+  Case result;
+  result.name      = "chain" + std::to_string(n);
+  result.mechanism = make_chain(n);
+  // About the time of one swing.
+  result.dynamics.cycle_duration = 2.;
+  result.joint                   = "pivot0";
+  return result;
+}
+
 Result
 run(const Case &benchmark, const double accuracy)
 {
   DynamicsParameters dynamics = benchmark.dynamics;
   dynamics.accuracy           = accuracy;
-  dynamics.samples_per_cycle  = 72;
+  dynamics.samples_per_cycle  = n_samples;
   // Two cycles, whether they agree or not.
   dynamics.settling_tolerance      = 1e-300;
   dynamics.maximum_settling_cycles = 1;
@@ -136,44 +159,156 @@ relative_rms_error(const JointDutyCycle &joint, const JointDutyCycle &reference)
   return std::sqrt(squares / joint.force_x.size()) / reference.mean_force();
 }
 
-void
-measure(const Case &benchmark)
+json
+to_json(const Eigen::VectorXd &x)
 {
-  std::printf("%s\n", benchmark.name.c_str());
-  const double    tightest  = 1e-3 * benchmark.dynamics.accuracy;
-  const DutyCycle reference = run(benchmark, tightest).cycle;
-  std::printf("  %9s %9s %9s %9s %10s %10s %10s\n",
-              "accuracy",
-              "steps",
-              "residuals",
-              "Jacobians",
-              "us/step",
-              "ms/cycle",
-              "rms error");
+  return std::vector<double>(x.begin(), x.end());
+}
+
+// What radau.py needs: bodies, constraints in the form of markers, springs and
+// the joint with clearance, with everything in SI units.
+json
+describe(const Case &benchmark)
+{
+  const Mechanism mechanism(benchmark.mechanism);
+  json            result;
+  result["name"]                    = benchmark.name;
+  result["period"]                  = benchmark.dynamics.cycle_duration > 0
+                                        ? benchmark.dynamics.cycle_duration
+                                        : mechanism.period();
+  result["samples"]                 = n_samples;
+  result["masses"]                  = to_json(mechanism.masses());
+  result["weights"]                 = to_json(mechanism.weights());
+  const MechanismParameters &p      = mechanism.parameters();
+  const auto                 marker = [&](const std::string &name) {
+    const auto dot     = name.find('.');
+    const auto body    = name.substr(0, dot);
+    int        index   = ground_body;
+    auto       markers = p.ground.markers;
+    for (unsigned int i = 0; i < p.bodies.size(); ++i)
+      if (p.bodies[i].name == body)
+        {
+          index   = i;
+          markers = p.bodies[i].markers;
+        }
+    const auto point = markers.at(name.substr(dot + 1));
+    return json{{"body", index}, {"x", point[0]}, {"y", point[1]}};
+  };
+  for (const JointParameters &j : p.joints)
+    if (j.is_revolute())
+      {
+        json joint = {{"name", j.name},
+                      {"type", j.has_clearance() ? "clearance" : "revolute"},
+                      {"pin", marker(j.pin_marker)},
+                      {"bushing", marker(j.bushing_marker)}};
+        if (j.has_clearance())
+          joint["contact"] = {{"pin_radius", j.pin_radius},
+                              {"clearance", j.bushing_radius - j.pin_radius},
+                              {"stiffness",
+                               compute_hertz_stiffness(j.pin_radius,
+                                                       j.bushing_radius,
+                                                       j.pin_material,
+                                                       j.bushing_material)},
+                              {"restitution", j.restitution_coefficient},
+                              {"minimum_approach_speed",
+                               j.minimum_approach_speed},
+                              {"friction", j.friction_coefficient},
+                              {"v_0", j.friction_regularisation_speed}};
+        result["joints"].push_back(joint);
+      }
+    else
+      result["joints"].push_back({{"name", j.name},
+                                  {"type", "translational"},
+                                  {"pin", marker(j.first_marker)},
+                                  {"bushing", marker(j.second_marker)},
+                                  {"axis", j.axis_angle}});
+  for (const DriverParameters &d : p.drivers)
+    result["joints"].push_back({{"name", d.name},
+                                {"type", "driver"},
+                                {"speed", d.speed},
+                                {"angle", d.initial_angle}});
+  for (const SpringParameters &k : p.springs)
+    result["springs"].push_back({{"first", marker(k.first_marker)},
+                                 {"second", marker(k.second_marker)},
+                                 {"stiffness", k.stiffness},
+                                 {"length", k.reference_length},
+                                 {"force", k.force_at_reference_length}});
+
+  // The state from which CycleSimulation starts too.
+  const EquationsOfMotion equations(mechanism, nominal_clearances(mechanism));
+  const Mechanism closed_mechanism(with_ideal_joints(benchmark.mechanism));
+  const EquationsOfMotion closed(closed_mechanism, {});
+  StartingState           start = compute_centred_start(closed, 0.);
+  if (benchmark.dynamics.start == "slow motion" &&
+      !mechanism.clearance_joints().empty())
+    start = compute_slow_motion_start(equations,
+                                      closed,
+                                      0.,
+                                      mechanism.period() / 360);
+  result["q"] = to_json(start.state.q);
+  result["v"] = to_json(start.state.v);
+  return result;
+}
+
+// Runs that are timed, of which the median counts.
+constexpr unsigned int n_runs = 9;
+
+void
+measure(const Case &benchmark, json *results)
+{
+  const DutyCycle       reference = run(benchmark, tightest_accuracy).cycle;
+  const JointDutyCycle &exact     = reference.joint(benchmark.joint);
+  if (results != nullptr)
+    {
+      *results              = describe(benchmark);
+      (*results)["joint"]   = benchmark.joint;
+      (*results)["force_x"] = to_json(exact.force_x);
+      (*results)["force_y"] = to_json(exact.force_y);
+      (*results)["mean"]    = exact.mean_force();
+    }
+  else
+    std::printf("%s\n  %9s %9s %9s %9s %10s %10s %10s\n",
+                benchmark.name.c_str(),
+                "accuracy",
+                "steps",
+                "residuals",
+                "Jacobians",
+                "us/step",
+                "ms/cycle",
+                "rms error");
   for (const double accuracy : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5})
     {
       std::vector<double> seconds;
       Result              result;
-      do
+      while (seconds.size() < n_runs)
         {
           result = run(benchmark, accuracy);
           seconds.push_back(result.seconds_per_cycle);
-      } while (seconds.size() < 9);
+        }
       std::nth_element(seconds.begin(),
-                       seconds.begin() + seconds.size() / 2,
+                       seconds.begin() + n_runs / 2,
                        seconds.end());
-      const double                median = seconds[seconds.size() / 2];
+      const double                median = seconds[n_runs / 2];
       const IntegratorStatistics &n      = result.cycle.statistics;
       const double                cycles = result.cycle.settling.n_cycles;
-      std::printf("  %9.0e %9.0f %9.0f %9.0f %10.2f %10.2f %10.1e\n",
-                  accuracy,
-                  n.n_steps / cycles,
-                  n.n_residuals / cycles,
-                  n.n_jacobians / cycles,
-                  1e6 * median * cycles / n.n_steps,
-                  1e3 * median,
-                  relative_rms_error(result.cycle.joint(benchmark.joint),
-                                     reference.joint(benchmark.joint)));
+      const double                error =
+        relative_rms_error(result.cycle.joint(benchmark.joint), exact);
+      if (results != nullptr)
+        (*results)["runs"].push_back({{"accuracy", accuracy},
+                                      {"steps", n.n_steps / cycles},
+                                      {"residuals", n.n_residuals / cycles},
+                                      {"jacobians", n.n_jacobians / cycles},
+                                      {"seconds", median},
+                                      {"error", error}});
+      else
+        std::printf("  %9.0e %9.0f %9.0f %9.0f %10.2f %10.2f %10.1e\n",
+                    accuracy,
+                    n.n_steps / cycles,
+                    n.n_residuals / cycles,
+                    n.n_jacobians / cycles,
+                    1e6 * median * cycles / n.n_steps,
+                    1e3 * median,
+                    error);
     }
 }
 
@@ -182,15 +317,33 @@ main(int argc, char **argv)
 {
   try
     {
-      const std::string directory = argc > 1 ? argv[1] : "prm";
-      std::vector<Case> cases     = {
-            read(directory, "mukras2010_validation.prm", "validation"),
-            read(directory, "mukras2010_steel_0.5um_literal.prm", "0.5um"),
-            read(directory, "mukras2010_steel_5mm_literal.prm", "5mm")};
+      std::vector<std::string> arguments(argv + 1, argv + argc);
+      const auto flag = std::find(arguments.begin(), arguments.end(), "--json");
+      const bool as_json = flag != arguments.end();
+      if (as_json)
+        arguments.erase(flag);
+      const std::string directory   = arguments.empty() ? "prm" : arguments[0];
+      const std::vector<Case> cases = {
+        read(directory, "mukras2010_validation.prm", "validation"),
+        read(directory, "mukras2010_steel_0.5um_literal.prm", "0.5um"),
+        read(directory, "mukras2010_steel_5mm_literal.prm", "5mm"),
+        chain(2),
+        chain(10),
+        chain(40)};
+      json all = json::array();
       for (const Case &benchmark : cases)
-        if (argc < 3 ||
-            std::find(argv + 2, argv + argc, benchmark.name) != argv + argc)
-          measure(benchmark);
+        {
+          if (arguments.size() > 1 &&
+              std::find(arguments.begin() + 1,
+                        arguments.end(),
+                        benchmark.name) == arguments.end())
+            continue;
+          json results;
+          measure(benchmark, as_json ? &results : nullptr);
+          all.push_back(results);
+        }
+      if (as_json)
+        std::printf("%s\n", all.dump().c_str());
     }
   catch (const std::exception &error)
     {

@@ -2,6 +2,7 @@
 #include <tribody/multibody/cycle_recorder.h>
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/motion_integrator.h>
 #include <tribody/multibody/significant_digits.h>
@@ -155,39 +156,53 @@ namespace Tribody
       CycleRecorder           recorder(equations, n, period);
       const ConstraintOffsets none(mechanism.n_constraints());
       MechanismState          state;
-      state.q = assemble_configuration(equations, 0.);
+      state.q            = assemble_configuration(equations, 0.);
+      const auto move_to = [&](const double t) -> Accelerations {
+        state.time = t;
+        if (is_kinematic())
+          {
+            const SolverReport report =
+              solve_positions(equations, t, none, state.q);
+            AssertThrow(report.converged,
+                        ExcRun("At time " + significant_digits(t, 6) +
+                               " s the mechanism has no position near the one "
+                               "before: " +
+                               report.message));
+            state.v = compute_velocities(equations, t, none, state.q);
+            return {
+              compute_kinematic_accelerations(equations, t, state.q, state.v),
+              Eigen::VectorXd::Zero(mechanism.n_constraints())};
+          }
+        const Motion motion =
+          solve_motion(equations,
+                       t,
+                       none,
+                       Eigen::VectorXd::Zero(mechanism.n_coordinates()),
+                       state.q);
+        state.q = motion.q;
+        state.v = motion.v;
+        return {motion.a, motion.multipliers};
+      };
+      EnergyAccount account(equations);
+      const bool    keeps_account =
+        parameters.energy_balance == "always" && !is_kinematic();
+      if (keeps_account)
+        recorder.set_energy_account(&account);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          state.time = record_time(k);
-          if (is_kinematic())
+          const double   t = record_time(k);
+          MechanismState middle;
+          if (keeps_account && k > 0)
             {
-              const SolverReport report =
-                solve_positions(equations, state.time, none, state.q);
-              AssertThrow(report.converged,
-                          ExcRun("At time " +
-                                 significant_digits(state.time, 6) +
-                                 " s the mechanism has no position near the "
-                                 "one before: " +
-                                 report.message));
-              state.v =
-                compute_velocities(equations, state.time, none, state.q);
-              recorder.record(k,
-                              state,
-                              {compute_kinematic_accelerations(
-                                 equations, state.time, state.q, state.v),
-                               Eigen::VectorXd::Zero(
-                                 mechanism.n_constraints())});
-              continue;
+              move_to((record_time(k - 1) + t) / 2);
+              middle = state;
             }
-          const Motion motion =
-            solve_motion(equations,
-                         state.time,
-                         none,
-                         Eigen::VectorXd::Zero(mechanism.n_coordinates()),
-                         state.q);
-          state.q = motion.q;
-          state.v = motion.v;
-          recorder.record(k, state, {motion.a, motion.multipliers});
+          const Accelerations accelerations = move_to(t);
+          if (keeps_account && k > 0)
+            account.advance(middle, state);
+          if (keeps_account && k == 0)
+            account.open(state);
+          recorder.record(k, state, accelerations);
         }
       DutyCycle cycle          = recorder.make_duty_cycle({});
       cycle.settling.n_cycles  = 1;
@@ -355,7 +370,13 @@ namespace Tribody
       const StartingState start = compute_start(equations);
       integrator.start(start.state);
 
-      CycleRecorder  recorder(equations, parameters.samples_per_cycle, period);
+      CycleRecorder recorder(equations, parameters.samples_per_cycle, period);
+      EnergyAccount account(equations);
+      if (parameters.energy_balance == "always")
+        {
+          integrator.set_energy_account(&account);
+          recorder.set_energy_account(&account);
+        }
       unsigned long  n_steps_in_cycle = 0;
       SettlingReport settling;
       try

@@ -24,6 +24,16 @@ namespace Tribody
 
 
 
+    Eigen::Index
+    JointDutyCycle::peak_sample() const
+    {
+      Eigen::Index sample = 0;
+      force().maxCoeff(&sample);
+      return sample;
+    }
+
+
+
     double
     JointDutyCycle::mean_force() const
     {
@@ -53,9 +63,7 @@ namespace Tribody
     double
     JointDutyCycle::share_of(const ContactState wanted) const
     {
-      return static_cast<double>(
-               std::count(state.begin(), state.end(), wanted)) /
-             state.size();
+      return state_shares[static_cast<unsigned int>(wanted)];
     }
 
 

@@ -100,6 +100,16 @@ namespace Tribody
         "the middle of its bushing, so that the first contact is an impact. "
         "'static equilibrium': any mechanism, in the position in which forces "
         "and contacts balance.");
+      Parameters::add_choice(
+        prm,
+        "Energy balance",
+        energy_balance,
+        {"without wear", "always", "never"},
+        "Whether to add up the work of drivers and forces and what dampers, "
+        "contacts and friction take. Then the energies in energy_NNNN.csv tell "
+        "where the work goes, and what is missing in the balance tells how "
+        "exact the motion is. It takes about half as long again as the motion "
+        "alone; 'without wear' does it for runs with Cycles = 0 only.");
     }
 
 

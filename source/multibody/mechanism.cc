@@ -165,6 +165,8 @@ namespace Tribody
                                  static_cast<unsigned int>(the_constraints.size()),
                                  joint.is_revolute(),
                                  joint.bushing_radius,
+                                 {},
+                                 {},
                                  {}};
       Marker            first, second;
       if (joint.is_revolute())
@@ -181,7 +183,9 @@ namespace Tribody
                   ExcParameter(path,
                                "connects a body with itself: both of its "
                                "markers are on the same one"));
-      entry.bodies = {first.body, second.body};
+      entry.bodies          = {first.body, second.body};
+      entry.first_position  = first.position;
+      entry.second_position = second.position;
 
       if (joint.has_clearance())
         {

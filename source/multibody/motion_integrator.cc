@@ -1,4 +1,5 @@
 #include <tribody/base/exceptions.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
 #include <tribody/multibody/motion_integrator.h>
@@ -143,6 +144,7 @@ namespace Tribody
         current.approach_speeds[j] = joints[j].minimum_approach_speed;
       the_events.clear();
       the_peak_forces.assign(joints.size(), 0.);
+      contact_peak_forces.assign(joints.size(), 0.);
       the_drift = 0.;
       restart();
     }
@@ -166,6 +168,8 @@ namespace Tribody
         Eigen::VectorXd::Zero(m);
       y_t << current.v, accelerations.a, Eigen::VectorXd::Zero(2 * m);
       ida->start(current.time, y, y_t);
+      if (energy_account != nullptr)
+        energy_account->restart(current);
       restart_is_pending = false;
     }
 
@@ -182,14 +186,19 @@ namespace Tribody
         {
           const JointContact contact = equations.compute_contact(
             j, y.head(n), y.segment(n, n), current.approach_speeds[j]);
-          the_peak_forces[j] = std::max(the_peak_forces[j],
-                                        std::hypot(contact.normal_force,
-                                                   contact.tangential_force));
+          const double force =
+            std::hypot(contact.normal_force, contact.tangential_force);
+          the_peak_forces[j]     = std::max(the_peak_forces[j], force);
+          contact_peak_forces[j] = std::max(contact_peak_forces[j], force);
           if (roots[j] == 0)
             continue;
-          the_events.push_back(
-            {ida->time(), j, roots[j] > 0, contact.penetration_rate});
-          restart_is_pending = restart_is_pending || roots[j] > 0;
+          the_events.push_back({ida->time(),
+                                j,
+                                roots[j] > 0,
+                                contact.penetration_rate,
+                                contact_peak_forces[j]});
+          contact_peak_forces[j] = 0.;
+          restart_is_pending     = restart_is_pending || roots[j] > 0;
         }
     }
 
@@ -205,6 +214,7 @@ namespace Tribody
       unsigned long n_steps = n_steps_before;
       while (ida->time() < t)
         {
+          book_energy(ida->time());
           if (restart_is_pending)
             {
               // The step behind us went past the onset with an approach speed
@@ -233,11 +243,41 @@ namespace Tribody
                              "steps."));
           record_step(ida->step(t + 1.));
         }
-      ida->interpolate(t, interpolated);
-      current.time = t;
-      current.q    = interpolated.head(n);
-      current.v    = interpolated.segment(n, n);
+      book_energy(t);
+      current = state_at(t);
       return current;
+    }
+
+
+
+    MechanismState
+    MotionIntegrator::state_at(const double t)
+    {
+      ida->interpolate(t, interpolated);
+      return {t,
+              interpolated.head(n),
+              interpolated.segment(n, n),
+              current.approach_speeds};
+    }
+
+
+
+    void
+    MotionIntegrator::set_energy_account(EnergyAccount *account)
+    {
+      energy_account = account;
+      if (account != nullptr)
+        account->open(current);
+    }
+
+
+
+    void
+    MotionIntegrator::book_energy(const double t)
+    {
+      if (energy_account != nullptr && t > energy_account->time())
+        energy_account->advance(state_at((energy_account->time() + t) / 2),
+                                state_at(t));
     }
 
 

@@ -4,6 +4,7 @@
 #include <tribody/multibody/clearance_joint.h>
 #include <tribody/multibody/duty_cycle.h>
 #include <tribody/multibody/mechanism_state.h>
+#include <tribody/multibody/reactions.h>
 
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace Tribody
 {
   namespace Multibody
   {
+    class EnergyAccount;
     class EquationsOfMotion;
     struct Accelerations;
     struct ContactEvent;
@@ -26,6 +28,11 @@ namespace Tribody
       CycleRecorder(const EquationsOfMotion &equations,
                     const unsigned int       n_samples,
                     const double             period);
+
+      /// Take the exchanged energies from @p account, which must stay alive;
+      /// without, only kinetic and potential energy are recorded.
+      void
+      set_energy_account(const EnergyAccount *account);
 
       /// Record number @p k, from 0 to 2 n, of a motion: the accelerations and
       /// reactions are those that the equations of motion give for it.
@@ -67,12 +74,23 @@ namespace Tribody
                   const std::vector<ContactEvent> &events,
                   JointDutyCycle                  &result) const;
 
+      JointDutyCycle
+      make_joint(const unsigned int               joint,
+                 const std::vector<ContactEvent> &events) const;
+
+      std::vector<DriverDutyCycle>
+      make_drivers() const;
+
+      EnergyHistory
+      make_energy() const;
+
       double
       compute_ringing(const unsigned int joint) const;
 
       const EquationsOfMotion &equations;
       const unsigned int       n_samples;
       const double             period;
+      const EnergyAccount     *energy_account = nullptr;
 
       // One column per record.
       Eigen::VectorXd times;
@@ -81,6 +99,9 @@ namespace Tribody
       Eigen::MatrixXd a;
       // Two rows per joint, x and y.
       Eigen::MatrixXd forces;
+      // One entry per record.
+      std::vector<Reactions>    reactions;
+      std::vector<EnergyRecord> energies;
       // [clearance joint][record]
       std::vector<std::vector<JointContact>> contacts;
     };

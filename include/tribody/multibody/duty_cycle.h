@@ -3,8 +3,11 @@
 
 #include <Eigen/Core>
 
+#include <tribody/multibody/contact_interval.h>
+#include <tribody/multibody/energy_record.h>
 #include <tribody/multibody/ida_integrator.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,17 +15,6 @@ namespace Tribody
 {
   namespace Multibody
   {
-    /// What a pin does in its bushing.
-    enum class ContactState
-    {
-      /// No contact.
-      free = 0,
-      /// A contact shorter than the interval between samples.
-      impact = 1,
-      /// Lasting contact.
-      following = 2
-    };
-
     /**
      * One joint over a cycle; one entry per sample. Forces are those of the
      * pin (first body) on the bushing (second body), in global axes.
@@ -57,9 +49,19 @@ namespace Tribody
       Eigen::VectorXd           penetration;
       std::vector<ContactState> state;
 
+      /// Moment on the second body about its marker, the centre of the bushing
+      /// [N m], and where that is in global axes [m].
+      Eigen::VectorXd moment;
+      Eigen::VectorXd point_x;
+      Eigen::VectorXd point_y;
+
       /// Contacts that began and ended in this cycle.
       unsigned int n_onsets = 0;
       unsigned int n_losses = 0;
+      /// All contacts that fall into this cycle, also in part.
+      std::vector<ContactInterval> contacts;
+      /// Parts of the cycle's time in each ContactState [-].
+      std::array<double, 3> state_shares = {{0., 0., 1.}};
       /// Largest force [N] at any integration step since the start of the
       /// motion, its impacts included.
       double peak_force_since_start = 0.;
@@ -88,9 +90,43 @@ namespace Tribody
       double
       sliding_distance() const;
 
-      /// Part of the samples in @p wanted [-].
+      /// Sample at which the force is largest.
+      Eigen::Index
+      peak_sample() const;
+
+      /// Part of the cycle's time in @p wanted [-].
       double
       share_of(const ContactState wanted) const;
+    };
+
+    /// What a driver transmits over a cycle; one entry per sample. Forces in
+    /// global axes on the driven body.
+    struct DriverDutyCycle
+    {
+      std::string name;
+      /// [N].
+      Eigen::VectorXd force_x;
+      Eigen::VectorXd force_y;
+      /// About the centre of mass of the driven body [N m].
+      Eigen::VectorXd moment;
+      /// Into the mechanism [W].
+      Eigen::VectorXd power;
+    };
+
+    /// Energies over a cycle and how well they are in balance.
+    struct EnergyHistory
+    {
+      /// At each sample [J].
+      Eigen::VectorXd kinetic;
+      Eigen::VectorXd potential;
+      /// Changes since the cycle began, at each sample.
+      std::vector<EnergyRecord> samples;
+      /// Changes over the whole cycle.
+      EnergyRecord cycle;
+      /// Largest error of the balance in this cycle, relative to the largest of
+      /// its terms in this cycle [-]; the same for the whole motion.
+      double relative_error             = 0.;
+      double relative_error_since_start = 0.;
     };
 
     /// How the motion came to repeat itself.
@@ -125,6 +161,9 @@ namespace Tribody
       Eigen::MatrixXd coordinates;
       Eigen::MatrixXd velocities;
       Eigen::MatrixXd accelerations;
+
+      std::vector<DriverDutyCycle> drivers;
+      EnergyHistory                energy;
 
       SettlingReport settling;
       /// Largest entry of Phi at any integration step since the start of the

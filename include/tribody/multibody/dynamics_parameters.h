@@ -36,6 +36,9 @@ namespace Tribody
       unsigned int maximum_steps_per_cycle = 1000000;
       /// "slow motion", "centred" or "static equilibrium".
       std::string start = "slow motion";
+      /// "without wear", "always" or "never": what a run without wear means is
+      /// up to the caller; only "always" counts here.
+      std::string energy_balance = "without wear";
 
       /// Declares in the current subsection, "Dynamics".
       void

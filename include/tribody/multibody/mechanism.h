@@ -37,6 +37,9 @@ namespace Tribody
       double bushing_radius;
       /// First body (pin) and second body (bushing).
       BodyPair bodies;
+      /// Its markers in the frames of these bodies [m].
+      Eigen::Vector2d first_position  = Eigen::Vector2d::Zero();
+      Eigen::Vector2d second_position = Eigen::Vector2d::Zero();
     };
 
     /**

@@ -26,6 +26,8 @@ namespace Tribody
       double initial_step = 0.;
     };
 
+    class EnergyAccount;
+
     /// A contact began or ended.
     struct ContactEvent
     {
@@ -36,6 +38,8 @@ namespace Tribody
       bool         is_onset;
       /// Penetration rate at that time [m/s].
       double penetration_rate;
+      /// Of a loss: largest total force in the contact that ends [N].
+      double peak_force;
     };
 
     /**
@@ -59,6 +63,11 @@ namespace Tribody
       /// begin with the floor of the approach speed.
       void
       start(const MechanismState &state);
+
+      /// Book the motion from now on to @p account, which must stay alive; to
+      /// none if it is the null pointer.
+      void
+      set_energy_account(EnergyAccount *account);
 
       /**
        * Go on to time @p t [s], at least as late as before.
@@ -129,6 +138,14 @@ namespace Tribody
       void
       record_step(const std::vector<int> &roots);
 
+      // Book the motion up to time t, which lies within the last step.
+      void
+      book_energy(const double t);
+
+      // The state at time t within the last step.
+      MechanismState
+      state_at(const double t);
+
       const EquationsOfMotion &equations;
       const unsigned int       n;
       const unsigned int       m;
@@ -136,10 +153,13 @@ namespace Tribody
       std::unique_ptr<IdaIntegrator> ida;
       MechanismState                 current;
       bool                           restart_is_pending = false;
+      EnergyAccount                 *energy_account     = nullptr;
 
       std::vector<ContactEvent> the_events;
       std::vector<double>       the_peak_forces;
-      double                    the_drift = 0.;
+      // Of the present or last contact of each joint.
+      std::vector<double> contact_peak_forces;
+      double              the_drift = 0.;
 
       // Work space.
       Eigen::VectorXd phi;
