@@ -245,7 +245,7 @@ describe(const Case &benchmark)
   const EquationsOfMotion equations(mechanism, nominal_clearances(mechanism));
   const Mechanism closed_mechanism(with_ideal_joints(benchmark.mechanism));
   const EquationsOfMotion closed(closed_mechanism, {});
-  StartingState           start = compute_centred_start(closed, 0.);
+  StartingState           start = compute_centred_start(equations, closed, 0.);
   if (benchmark.dynamics.start == "slow motion" &&
       !mechanism.clearance_joints().empty())
     start = compute_slow_motion_start(equations,
