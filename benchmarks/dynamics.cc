@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,16 +52,6 @@ struct Result
   // Of the whole run over its cycles [s].
   double seconds_per_cycle = 0.;
 };
-
-Case
-read(const std::string &directory,
-     const std::string &file,
-     const std::string &name)
-{
-  const Coupling::CaseParameters parameters =
-    Coupling::read_case(directory + "/" + file, {"Cycles=0"});
-  return {name, parameters.mechanism, parameters.dynamics, "crank_pin"};
-}
 
 // A row of n four-bar linkages: n + 1 bars of different lengths hang from the
 // ground, their ends joined by n couplers; one degree of freedom, which swings.
@@ -117,27 +108,43 @@ make_chain(const unsigned int n)
   return p;
 }
 
+// "validation", "0.5um", "5mm" or "chain<number of four-bars>".
 Case
-chain(const unsigned int n)
+make_case(const std::string &directory, const std::string &name)
 {
   Case result;
-  result.name      = "chain" + std::to_string(n);
-  result.mechanism = make_chain(n);
-  // About the time of one swing.
-  result.dynamics.cycle_duration = 2.;
-  result.joint                   = "pivot0";
+  result.name = name;
+  if (name.rfind("chain", 0) == 0)
+    {
+      result.mechanism = make_chain(std::stoi(name.substr(5)));
+      // About the time of one swing.
+      result.dynamics.cycle_duration = 2.;
+      result.joint                   = "pivot0";
+      return result;
+    }
+  const std::map<std::string, std::string> files = {
+    {"validation", "mukras2010_validation.prm"},
+    {"0.5um", "mukras2010_steel_0.5um_literal.prm"},
+    {"5mm", "mukras2010_steel_5mm_literal.prm"}};
+  const Coupling::CaseParameters parameters =
+    Coupling::read_case(directory + "/" + files.at(name), {"Cycles=0"});
+  result.mechanism = parameters.mechanism;
+  result.dynamics  = parameters.dynamics;
+  result.joint     = "crank_pin";
   return result;
 }
 
+// Two cycles, or more, whether they agree or not.
 Result
-run(const Case &benchmark, const double accuracy)
+run(const Case        &benchmark,
+    const double       accuracy,
+    const unsigned int n_cycles = 2)
 {
-  DynamicsParameters dynamics = benchmark.dynamics;
-  dynamics.accuracy           = accuracy;
-  dynamics.samples_per_cycle  = n_samples;
-  // Two cycles, whether they agree or not.
+  DynamicsParameters dynamics      = benchmark.dynamics;
+  dynamics.accuracy                = accuracy;
+  dynamics.samples_per_cycle       = n_samples;
   dynamics.settling_tolerance      = 1e-300;
-  dynamics.maximum_settling_cycles = 1;
+  dynamics.maximum_settling_cycles = n_cycles - 1;
   dynamics.maximum_steps_per_cycle = 100000000;
   const Mechanism       mechanism(benchmark.mechanism);
   const CycleSimulation simulation(mechanism, dynamics);
@@ -253,6 +260,14 @@ describe(const Case &benchmark)
 // Runs that are timed, of which the median counts.
 constexpr unsigned int n_runs = 9;
 
+double
+median(std::vector<double> values)
+{
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 void
 measure(const Case &benchmark, json *results)
 {
@@ -278,17 +293,19 @@ measure(const Case &benchmark, json *results)
                 "rms error");
   for (const double accuracy : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5})
     {
-      std::vector<double> seconds;
+      std::vector<double> seconds, seconds_per_step;
       Result              result;
       while (seconds.size() < n_runs)
         {
           result = run(benchmark, accuracy);
           seconds.push_back(result.seconds_per_cycle);
+          // Without what comes before the first step.
+          const Result longer = run(benchmark, accuracy, 4);
+          seconds_per_step.push_back(
+            (4 * longer.seconds_per_cycle - 2 * result.seconds_per_cycle) /
+            (longer.cycle.statistics.n_steps -
+             result.cycle.statistics.n_steps));
         }
-      std::nth_element(seconds.begin(),
-                       seconds.begin() + n_runs / 2,
-                       seconds.end());
-      const double                median = seconds[n_runs / 2];
       const IntegratorStatistics &n      = result.cycle.statistics;
       const double                cycles = result.cycle.settling.n_cycles;
       const double                error =
@@ -298,7 +315,7 @@ measure(const Case &benchmark, json *results)
                                       {"steps", n.n_steps / cycles},
                                       {"residuals", n.n_residuals / cycles},
                                       {"jacobians", n.n_jacobians / cycles},
-                                      {"seconds", median},
+                                      {"seconds", median(seconds)},
                                       {"error", error}});
       else
         std::printf("  %9.0e %9.0f %9.0f %9.0f %10.2f %10.2f %10.1e\n",
@@ -306,8 +323,8 @@ measure(const Case &benchmark, json *results)
                     n.n_steps / cycles,
                     n.n_residuals / cycles,
                     n.n_jacobians / cycles,
-                    1e6 * median * cycles / n.n_steps,
-                    1e3 * median,
+                    1e6 * median(seconds_per_step),
+                    1e3 * median(seconds),
                     error);
     }
 }
@@ -322,24 +339,16 @@ main(int argc, char **argv)
       const bool as_json = flag != arguments.end();
       if (as_json)
         arguments.erase(flag);
-      const std::string directory   = arguments.empty() ? "prm" : arguments[0];
-      const std::vector<Case> cases = {
-        read(directory, "mukras2010_validation.prm", "validation"),
-        read(directory, "mukras2010_steel_0.5um_literal.prm", "0.5um"),
-        read(directory, "mukras2010_steel_5mm_literal.prm", "5mm"),
-        chain(2),
-        chain(10),
-        chain(40)};
+      const std::string directory = arguments.empty() ? "prm" : arguments[0];
+      std::vector<std::string> names(arguments.begin() + !arguments.empty(),
+                                     arguments.end());
+      if (names.empty())
+        names = {"validation", "0.5um", "5mm", "chain2", "chain10", "chain40"};
       json all = json::array();
-      for (const Case &benchmark : cases)
+      for (const std::string &name : names)
         {
-          if (arguments.size() > 1 &&
-              std::find(arguments.begin() + 1,
-                        arguments.end(),
-                        benchmark.name) == arguments.end())
-            continue;
           json results;
-          measure(benchmark, as_json ? &results : nullptr);
+          measure(make_case(directory, name), as_json ? &results : nullptr);
           all.push_back(results);
         }
       if (as_json)

@@ -138,6 +138,17 @@ namespace Tribody
 
 
 
+    double
+    CycleSimulation::record_time(const unsigned int k) const
+    {
+      const double t = (k - 1.) * period / (2 * parameters.samples_per_cycle);
+      const bool   repeats =
+        parameters.cycle_duration == 0 && mechanism.has_turning_driver();
+      return repeats ? t : std::max(0., t);
+    }
+
+
+
     DutyCycle
     CycleSimulation::run_kinematics(const EquationsOfMotion &equations) const
     {
@@ -152,7 +163,11 @@ namespace Tribody
           {
             const SolverReport report =
               solve_positions(equations, t, none, state.q);
-            AssertThrow(report.converged, ExcRun(report.message));
+            AssertThrow(report.converged,
+                        ExcRun("At time " + significant_digits(t, 6) +
+                               " s the mechanism has no position near the one "
+                               "before: " +
+                               report.message));
             state.v = compute_velocities(equations, t, none, state.q);
             return {
               compute_kinematic_accelerations(equations, t, state.q, state.v),
@@ -168,7 +183,6 @@ namespace Tribody
         state.v = motion.v;
         return {motion.a, motion.multipliers};
       };
-      const double  half_interval = period / (2 * n);
       EnergyAccount account(equations);
       const bool    keeps_account =
         parameters.energy_balance == "always" && !is_kinematic();
@@ -176,11 +190,11 @@ namespace Tribody
         recorder.set_energy_account(&account);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          const double   t = (k - 1.) * half_interval;
+          const double   t = record_time(k);
           MechanismState middle;
           if (keeps_account && k > 0)
             {
-              move_to(t - half_interval / 2);
+              move_to((record_time(k - 1) + t) / 2);
               middle = state;
             }
           const Accelerations accelerations = move_to(t);
@@ -213,7 +227,7 @@ namespace Tribody
         state.approach_speeds.push_back(joint.minimum_approach_speed);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          state.time = (k - 1.) * period / (2 * n);
+          state.time = record_time(k);
           const SolverReport closed =
             solve_positions(equations, state.time, none, state.q);
           AssertThrow(closed.converged,

@@ -70,6 +70,26 @@ namespace Tribody
 
 
     void
+    EquationsOfMotion::add_constraint_jacobian(ConstVector        q,
+                                               const Eigen::Index first,
+                                               MatrixEntries     &entries) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        {
+          const Constraint::Jacobian local =
+            element->jacobian(element->bodies.gather(q));
+          const auto rows = local.topRows(element->n_equations);
+          element->bodies.add_rows_to(rows, first + row, 0, entries);
+          element->bodies.add_columns_to(rows.transpose(),
+                                         0,
+                                         first + row,
+                                         entries);
+        }
+    }
+
+
+
+    void
     EquationsOfMotion::assemble_time_derivatives(const double t,
                                                  Vector       phi_t,
                                                  Vector       phi_tt) const

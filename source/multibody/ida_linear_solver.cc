@@ -19,7 +19,7 @@ namespace Tribody
     {
       // Systems of more unknowns than this are sparse; see
       // doc/decisions.md, "Linear solver of the dynamics".
-      constexpr Eigen::Index largest_dense_size = 80;
+      constexpr Eigen::Index largest_dense_size = 48;
 
 
 

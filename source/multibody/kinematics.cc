@@ -2,6 +2,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SparseLU>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/solver_report.h>
@@ -285,6 +286,64 @@ namespace Tribody
           x(i) /= mechanism.size();
         return x;
       }
+      // Systems of more unknowns than this are sparse; see doc/decisions.md,
+      // "Linear solver of the dynamics".
+      constexpr Eigen::Index largest_dense_system = 120;
+
+
+
+      // The entries of a sparse matrix.
+      class Triplets : public MatrixEntries
+      {
+      public:
+        void
+        add(const Eigen::Index row,
+            const Eigen::Index column,
+            const double       value) override
+        {
+          entries.emplace_back(row, column, value);
+        }
+
+        Eigen::SparseMatrix<double>
+        matrix(const Eigen::Index size) const
+        {
+          Eigen::SparseMatrix<double> result(size, size);
+          result.setFromTriplets(entries.begin(), entries.end());
+          return result;
+        }
+
+      private:
+        std::vector<Eigen::Triplet<double>> entries;
+      };
+
+
+
+      // x in (M, Phi_q^T; Phi_q, 0) x = right_hand_side.
+      Eigen::VectorXd
+      solve_saddle_point(const EquationsOfMotion &equations,
+                         const Eigen::VectorXd   &q,
+                         const Eigen::VectorXd   &right_hand_side)
+      {
+        const Eigen::Index     size   = right_hand_side.size();
+        const Eigen::VectorXd &masses = equations.mechanism().masses();
+        const auto             add_to = [&](MatrixEntries &entries) {
+          for (Eigen::Index i = 0; i < masses.size(); ++i)
+            entries.add(i, i, masses(i));
+          equations.add_constraint_jacobian(q, masses.size(), entries);
+        };
+        if (size <= largest_dense_system)
+          {
+            Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+            DenseEntries    entries(matrix);
+            add_to(entries);
+            return matrix.partialPivLu().solve(right_hand_side);
+          }
+        Triplets entries;
+        add_to(entries);
+        const Eigen::SparseLU<Eigen::SparseMatrix<double>> decomposition(
+          entries.matrix(size));
+        return decomposition.solve(right_hand_side);
+      }
     } // namespace
 
 
@@ -394,17 +453,13 @@ namespace Tribody
       const unsigned int n         = mechanism.n_coordinates();
       const unsigned int m         = mechanism.n_constraints();
 
-      Eigen::MatrixXd matrix    = Eigen::MatrixXd::Zero(n + m, n + m);
-      matrix.diagonal().head(n) = mechanism.masses();
-      equations.assemble_constraint_jacobian(q, matrix.bottomLeftCorner(m, n));
-      matrix.topRightCorner(n, m) = matrix.bottomLeftCorner(m, n).transpose();
-
       Eigen::VectorXd phi_t(m), phi_tt(m), quadratic(m), right_hand_side(n + m);
       equations.assemble_time_derivatives(t, phi_t, phi_tt);
       equations.assemble_quadratic_terms(q, v, quadratic);
       right_hand_side << forces, offsets.second_derivative - quadratic - phi_tt;
 
-      const Eigen::VectorXd x = matrix.partialPivLu().solve(right_hand_side);
+      const Eigen::VectorXd x =
+        solve_saddle_point(equations, q, right_hand_side);
       return {x.head(n), x.tail(m)};
     }
 

@@ -18,6 +18,11 @@ namespace Tribody
   {
     namespace
     {
+      // Residual of the balance of forces at which it counts as zero.
+      constexpr double tolerance = 1e-11;
+
+
+
       // Balance of the forces at one position. Coordinates are scaled: angles
       // count times the mechanism's size.
       struct Balance
@@ -79,6 +84,26 @@ namespace Tribody
         try_step(const Balance         &balance,
                  const Eigen::VectorXd &step,
                  Eigen::VectorXd       &q) const;
+
+        // What to add to the stiffness, in all: sigma at least.
+        double
+        compute_shift(const Balance &balance, const double sigma) const;
+
+        // Newton's step in the free directions with a shifted stiffness, cut
+        // to the longest one.
+        Eigen::VectorXd
+        compute_step(const Balance &balance, const double shift) const;
+
+        bool
+        has_converged(const Balance         &balance,
+                      const double           shift,
+                      const Eigen::VectorXd &step) const;
+
+        double
+        longest_step() const
+        {
+          return 0.3 * mechanism.size();
+        }
 
         // Which body is out of balance, for messages.
         std::string
@@ -257,23 +282,64 @@ namespace Tribody
 
 
 
+      double
+      StaticSolver::compute_shift(const Balance &balance,
+                                  const double   sigma) const
+      {
+        if (balance.least_stiffness > 1e-10 * balance.stiffness_scale)
+          return sigma;
+        // More than what is negative; and where there is no stiffness, as much
+        // as lets the force move the mechanism by the longest step.
+        return sigma + balance.free_forces.norm() / longest_step() -
+               2 * std::min(0., balance.least_stiffness);
+      }
+
+
+
+      Eigen::VectorXd
+      StaticSolver::compute_step(const Balance &balance,
+                                 const double   shift) const
+      {
+        const Eigen::Index    n = balance.free.cols();
+        const Eigen::VectorXd step =
+          (balance.stiffness + shift * Eigen::MatrixXd::Identity(n, n))
+            .partialPivLu()
+            .solve(balance.free_forces);
+        return std::min(1., longest_step() / step.norm()) * step;
+      }
+
+
+
+      bool
+      StaticSolver::has_converged(const Balance         &balance,
+                                  const double           shift,
+                                  const Eigen::VectorXd &step) const
+      {
+        if (balance.residual() < tolerance)
+          return true;
+        // Stiff contacts: rounding of the positions leaves forces.
+        return shift == 0. && step.norm() < 1e-14 * mechanism.size() &&
+               balance.residual() < 1e-6;
+      }
+
+
+
       StaticEquilibrium
       StaticSolver::solve(const Eigen::VectorXd &q_guess)
       {
         constexpr unsigned int max_iterations = 1000;
-        constexpr double       tolerance      = 1e-11;
-
-        StaticEquilibrium result;
-        SolverReport     &report = result.report;
-        result.q                 = q_guess;
-        const double longest     = 0.3 * mechanism.size();
+        StaticEquilibrium      result;
+        SolverReport          &report = result.report;
+        result.q                      = q_guess;
         // What the pseudo-transient term adds to the stiffness [N/m].
         double  sigma   = 0.;
         Balance balance = compute_balance(result.q);
-        for (; report.n_iterations < max_iterations; ++report.n_iterations)
+        for (; report.n_iterations < max_iterations && std::isfinite(sigma);
+             ++report.n_iterations)
           {
-            report.residual = balance.residual();
-            if (report.residual < tolerance)
+            const double    shift = compute_shift(balance, sigma);
+            Eigen::VectorXd step  = compute_step(balance, shift);
+            if (has_converged(balance, shift, step))
               {
                 if (balance.is_stable())
                   {
@@ -281,48 +347,17 @@ namespace Tribody
                     break;
                   }
                 // Down from the ridge: either side will do.
-                try_step(balance,
-                         1e-3 * mechanism.size() * balance.softest_direction,
-                         result.q);
-                balance = compute_balance(result.q);
-                continue;
+                step = 1e-3 * mechanism.size() * balance.softest_direction;
               }
-            const Eigen::Index n = balance.free.cols();
-            // At least a stiffness with which the force moves the mechanism by
-            // a part of its size, where there is none; and more than what is
-            // negative.
-            const double floor = balance.free_forces.norm() / longest;
-            const double shift =
-              balance.least_stiffness > 1e-10 * balance.stiffness_scale
-                ? 0.
-                : floor - 2 * std::min(0., balance.least_stiffness);
-            const Eigen::MatrixXd matrix =
-              balance.stiffness +
-              (sigma + shift) * Eigen::MatrixXd::Identity(n, n);
-            Eigen::VectorXd step =
-              matrix.partialPivLu().solve(balance.free_forces);
-            const double length = step.norm();
-            // Stiff contacts: rounding of the positions leaves forces.
-            if (sigma + shift == 0. && length < 1e-14 * mechanism.size() &&
-                report.residual < 1e-6)
-              {
-                report.converged = true;
-                break;
-              }
-            if (length > longest)
-              step *= longest / length;
             if (step.allFinite() && try_step(balance, step, result.q))
               {
-                sigma = sigma < 1e-6 * balance.stiffness_scale ? 0. : sigma / 8;
                 balance = compute_balance(result.q);
+                sigma = sigma < 1e-6 * balance.stiffness_scale ? 0. : sigma / 8;
               }
             else
-              sigma = sigma == 0.
-                        ? std::max(1e-3 * balance.stiffness_scale, floor)
-                        : 4 * sigma;
-            if (!std::isfinite(sigma) ||
-                sigma > 1e20 * (balance.stiffness_scale + floor))
-              break;
+              sigma = std::max({4 * sigma,
+                                1e-3 * balance.stiffness_scale,
+                                balance.free_forces.norm() / longest_step()});
           }
         report.residual    = balance.residual();
         result.multipliers = balance.multipliers;

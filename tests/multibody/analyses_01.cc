@@ -14,7 +14,8 @@
 //
 // Static equilibrium: the slider force that balances a crank torque, from the
 // virtual work; pendulum with rotational spring, from a scalar equation; it
-// falls from the upright position; a pin that hangs in its bushing presses
+// falls from the upright position and rests where it leans; the ground carries
+// the weight of a four-bar; a pin that hangs in its bushing presses
 // itself in until Hertz' force is the weight. A wheel that a torque turns has
 // no equilibrium.
 //
@@ -448,6 +449,40 @@ statics()
                std::abs(30 * (angle + 0.4) - 2 * g * 0.5 * std::sin(angle)),
                1e-8);
   report_value("  at [deg]", angle * 180 / M_PI, 2);
+
+  // A motion that starts there stays there.
+  DynamicsParameters rest;
+  rest.cycle_duration          = 1.;
+  rest.maximum_settling_cycles = 0;
+  rest.start                   = "static equilibrium";
+  q.bodies[0].initial_angle    = 0.5;
+  const Mechanism at_rest(q);
+  report_below("  started there: largest angular velocity",
+               CycleSimulation(at_rest, rest)
+                 .run()
+                 .velocities.row(2)
+                 .lpNorm<Eigen::Infinity>(),
+               1e-8);
+
+  // The ground's forces carry the weight of a four-bar in all positions of its
+  // motor, whose moment they do not know.
+  const DutyCycle turned_slowly = run(four_bar(), "static equilibrium");
+  const double    weight        = (0.05 + 0.14 + 0.11) * g;
+  report_below("four-bar: relative error of the weight carried",
+               ((turned_slowly.joint("A").force_y.array() +
+                 turned_slowly.joint("D").force_y.array()) /
+                  weight -
+                1)
+                 .abs()
+                 .maxCoeff(),
+               1e-12);
+  report_below("  horizontal force left, over it",
+               (turned_slowly.joint("A").force_x.array() +
+                turned_slowly.joint("D").force_x.array())
+                   .abs()
+                   .maxCoeff() /
+                 weight,
+               1e-12);
 
   // A pin in a bushing above which it hangs.
   MechanismParameters h;

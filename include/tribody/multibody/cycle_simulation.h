@@ -79,6 +79,11 @@ namespace Tribody
       bool
       is_kinematic() const;
 
+      // Time of record k, from half an interval before the first sample on if
+      // the cycle repeats; a motion with a beginning has no time before 0.
+      double
+      record_time(const unsigned int k) const;
+
       // Kinematics, with inverse dynamics unless it is_kinematic().
       DutyCycle
       run_kinematics(const EquationsOfMotion &equations) const;

@@ -80,6 +80,13 @@ namespace Tribody
       void
       assemble_constraint_jacobian(ConstVector q, Matrix phi_q) const;
 
+      /// Add Phi_q to the rows of @p entries from @p first on, and its
+      /// transpose to the columns.
+      void
+      add_constraint_jacobian(ConstVector        q,
+                              const Eigen::Index first,
+                              MatrixEntries     &entries) const;
+
       /// Phi_t, and d(Phi_t)/dt = Phi_tt.
       void
       assemble_time_derivatives(const double t,
