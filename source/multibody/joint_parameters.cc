@@ -224,7 +224,7 @@ namespace Tribody
           prm,
           "Bristle stiffness",
           p.bristle_stiffness,
-          "1/m",
+          "m^-1",
           "sigma_0 of 'LuGre', per normal force: friction builds up over a "
           "displacement of about mu/sigma_0.");
         Parameters::add_quantity(prm,
@@ -389,7 +389,7 @@ namespace Tribody
                            "");
             check_positive(path + "/Bristle stiffness",
                            p.bristle_stiffness,
-                           "1/m");
+                           "m^-1");
             check_not_negative(path + "/Bristle damping",
                                p.bristle_damping,
                                "s/m");
