@@ -257,7 +257,7 @@ namespace Tribody
                             "impact_loss [J]",
                             "balance_error [J]"});
             for (const Multibody::JointDutyCycle &joint : cycle.joints)
-              if (joint.has_clearance)
+              if (joint.has_contact_law)
                 for (const char *column : {" contact_energy [J]",
                                            " normal_loss [J]",
                                            " friction_loss [J]"})

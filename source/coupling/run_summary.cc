@@ -118,6 +118,12 @@ namespace Tribody
         summary.work                          = energy.work();
         summary.dissipated                    = energy.dissipated();
         summary.damper_loss                   = energy.damper_loss;
+        summary.impact_loss                   = energy.impact_loss;
+        if (cycle.energy.kinetic.size() > 0)
+          {
+            summary.min_kinetic_energy = cycle.energy.kinetic.minCoeff();
+            summary.max_kinetic_energy = cycle.energy.kinetic.maxCoeff();
+          }
         summary.energy_balance_relative_error = cycle.energy.relative_error;
         summary.energy_balance_relative_error_since_start =
           cycle.energy.relative_error_since_start;
@@ -135,6 +141,7 @@ namespace Tribody
         Output::JointSummary joint;
         joint.name                   = cycle.name;
         joint.has_clearance          = cycle.has_clearance;
+        joint.has_contact_law        = cycle.has_contact_law;
         joint.peak_force             = cycle.peak_force();
         joint.peak_phase             = phase[cycle.peak_sample()];
         joint.mean_force             = cycle.mean_force();
@@ -210,12 +217,13 @@ namespace Tribody
 
 
 
-      // A table of the joints, and what the motion has cost.
+      // A table of the joints.
       void
-      print_dynamics(std::ostream &out, const Output::RunSummary &summary)
+      print_joint_table(std::ostream                            &out,
+                        const std::vector<Output::JointSummary> &joints)
       {
         std::size_t width = 6;
-        for (const Output::JointSummary &joint : summary.joints)
+        for (const Output::JointSummary &joint : joints)
           width = std::max(width, joint.name.size());
         const auto cell = [&out](const auto &value, const int columns) {
           out << std::setw(columns) << value;
@@ -224,8 +232,8 @@ namespace Tribody
         for (const char *title :
              {"peak [N]", "at [deg]", "mean [N]", "ringing [%]"})
           cell(title, 13);
-        out << "   share of free flight, impacts, following [%]" << std::endl;
-        for (const Output::JointSummary &joint : summary.joints)
+        out << std::endl;
+        for (const Output::JointSummary &joint : joints)
           {
             out << "  " << std::left << std::setw(width) << joint.name
                 << std::right << std::setprecision(5);
@@ -234,47 +242,87 @@ namespace Tribody
             cell(joint.mean_force, 13);
             out << std::setprecision(2);
             cell(100. * joint.residual_ringing, 13);
-            if (joint.has_clearance)
-              {
-                out << std::fixed;
-                cell(100. * joint.share_free, 10);
-                cell(100. * joint.share_impact, 8);
-                cell(100. * joint.share_following, 8);
-                out << std::defaultfloat << std::setprecision(3) << "; "
-                    << joint.n_onsets << " onset(s)";
-                if (joint.n_onsets > 0)
-                  out << " at up to " << 1e3 * joint.max_approach_speed
-                      << " mm/s";
-                out << ", " << joint.n_losses << " loss(es)";
-              }
             out << std::endl;
           }
+      }
+
+
+
+      // What a pin does in its bushing during the cycle.
+      void
+      print_contacts(std::ostream &out, const Output::JointSummary &joint)
+      {
+        out << "  " << joint.name << ": " << std::fixed << std::setprecision(2)
+            << 100. * joint.share_free << " % of the cycle in free flight, "
+            << 100. * joint.share_impact << " % in impacts, "
+            << 100. * joint.share_following << " % following the bore"
+            << std::defaultfloat << std::endl
+            << "    contact began " << joint.n_onsets << " and ended "
+            << joint.n_losses << " times";
+        if (joint.n_onsets > 0)
+          out << ", approach at up to " << std::setprecision(3)
+              << 1e3 * joint.max_approach_speed << " mm/s";
+        out << std::endl;
+      }
+
+
+
+      void
+      print_energy(std::ostream &out, const Output::RunSummary &summary)
+      {
+        const Output::DynamicsSummary &dynamics = summary.dynamics;
+        // What is left over of a motion that neither takes nor gives energy.
+        const auto without_noise = [&dynamics](const double energy) {
+          return std::abs(energy) < 1e-10 * dynamics.max_kinetic_energy
+                   ? 0.
+                   : energy;
+        };
+        out << std::setprecision(5) << "  energy in the recorded cycle: work "
+            << without_noise(dynamics.work) << " J, dissipated "
+            << without_noise(dynamics.dissipated) << " J; kinetic between "
+            << dynamics.min_kinetic_energy << " and "
+            << dynamics.max_kinetic_energy << " J" << std::endl;
+        for (const Output::JointSummary &joint : summary.joints)
+          if (joint.has_contact_law)
+            out << "    " << joint.name << ": friction " << joint.friction_loss
+                << " J, hysteresis " << joint.normal_loss << " J" << std::endl;
+        if (dynamics.damper_loss != 0.)
+          out << "    dampers: " << dynamics.damper_loss << " J" << std::endl;
+        if (dynamics.impact_loss != 0.)
+          out << "    impacts: " << dynamics.impact_loss << " J" << std::endl;
+        out << std::setprecision(2) << "    balance: relative error "
+            << dynamics.energy_balance_relative_error << " in this cycle, "
+            << dynamics.energy_balance_relative_error_since_start
+            << " since the start" << std::endl;
+      }
+
+
+
+      // The joints, and what the motion has cost.
+      void
+      print_dynamics(std::ostream &out, const Output::RunSummary &summary)
+      {
+        print_joint_table(out, summary.joints);
+        for (const Output::JointSummary &joint : summary.joints)
+          if (joint.has_clearance)
+            print_contacts(out, joint);
         const Output::DynamicsSummary &dynamics = summary.dynamics;
         if (dynamics.n_steps > 0)
-          out << "  motion: " << dynamics.settling_cycles
-              << " cycles, forces repeat to " << std::setprecision(2)
-              << 100. * summary.settling_difference << " %; "
-              << dynamics.n_steps << " steps (" << dynamics.n_steps_in_cycle
-              << " in the recorded cycle), " << dynamics.n_residuals
-              << " residual and " << dynamics.n_jacobians
-              << " Jacobian evaluations, " << dynamics.n_restarts << " restarts"
-              << std::endl;
-        if (dynamics.has_energy)
           {
-            out << std::setprecision(5) << "  energy in the cycle: work "
-                << dynamics.work << " J, dissipated " << dynamics.dissipated
-                << " J";
-            for (const Output::JointSummary &joint : summary.joints)
-              if (joint.has_clearance)
-                out << ", " << joint.name << ": " << joint.friction_loss
-                    << " J by friction, " << joint.normal_loss
-                    << " J by hysteresis";
-            out << std::setprecision(2) << "; balance right to "
-                << dynamics.energy_balance_relative_error
-                << ", since the start "
-                << dynamics.energy_balance_relative_error_since_start
-                << std::endl;
+            out << "  motion: recorded in cycle " << dynamics.settling_cycles;
+            if (dynamics.settling_cycles > 1)
+              out << ", forces differ from those of the cycle before by "
+                  << std::setprecision(2) << 100. * summary.settling_difference
+                  << " %";
+            out << std::endl
+                << "    " << dynamics.n_steps << " integration steps ("
+                << dynamics.n_steps_in_cycle << " in the recorded cycle), "
+                << dynamics.n_residuals << " residual and "
+                << dynamics.n_jacobians << " Jacobian evaluations, "
+                << dynamics.n_restarts << " restarts" << std::endl;
           }
+        if (dynamics.has_energy)
+          print_energy(out, summary);
       }
 
 
@@ -320,19 +368,19 @@ namespace Tribody
       summary.dynamics = summarise_dynamics(state.duty_cycle);
 
       const Multibody::EnergyRecord &energy = state.duty_cycle.energy.cycle;
-      Eigen::Index                   n_clearance_joints = 0;
+      Eigen::Index                   n_contact_laws = 0;
       for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
         {
           const Multibody::JointDutyCycle &cycle = state.duty_cycle.joints[j];
 
           Output::JointSummary joint =
             summarise_joint(cycle, state.duty_cycle.phase);
-          if (cycle.has_clearance && energy.has_work)
+          if (cycle.has_contact_law && energy.has_work)
             {
-              joint.normal_loss   = energy.normal_loss[n_clearance_joints];
-              joint.friction_loss = energy.friction_loss[n_clearance_joints];
+              joint.normal_loss   = energy.normal_loss[n_contact_laws];
+              joint.friction_loss = energy.friction_loss[n_contact_laws];
             }
-          n_clearance_joints += cycle.has_clearance;
+          n_contact_laws += cycle.has_contact_law;
           if (cycle.has_clearance)
             joint.sliding_per_cycle = cycle.sliding_distance();
           if (cycle.has_clearance)
@@ -395,14 +443,24 @@ namespace Tribody
             << std::setprecision(2)
             << 100. * summary.max_wear_depth_relative_error << " %"
             << std::endl;
-      if (!summary.all_settled)
-        out << "  WARNING: not every duty cycle settled: "
-            << summary.settling_message << "." << std::endl;
-      out << "  " << summary.wear_steps << " wear steps, "
-          << summary.dynamics_cycles << " cycles of dynamics, "
-          << summary.contact_solves << " contact problems, "
-          << summary.compliance_builds << " compliance builds; "
-          << std::setprecision(3) << summary.wall_time << " s" << std::endl;
+      if (summary.is_dynamics_only)
+        {
+          if (!summary.settling_message.empty())
+            out << "  WARNING: " << summary.settling_message << "."
+                << std::endl;
+        }
+      else
+        {
+          if (!summary.all_settled)
+            out << "  WARNING: not every duty cycle settled: "
+                << summary.settling_message << "." << std::endl;
+          out << "  " << summary.wear_steps << " wear steps, "
+              << summary.dynamics_cycles << " cycles of dynamics, "
+              << summary.contact_solves << " contact problems, "
+              << summary.compliance_builds << " compliance builds" << std::endl;
+        }
+      out << "  wall time " << std::setprecision(3) << summary.wall_time << " s"
+          << std::endl;
 
       out.flags(flags);
       out.precision(precision);

@@ -93,10 +93,17 @@ namespace Tribody
     WearSimulation::print_setup()
     {
       std::ostream &out = console.out();
-      out << "Mechanism: " << parameters.mechanism.bodies.size() << " bodies, "
-          << parameters.mechanism.joints.size() << " joints, "
-          << mechanism.n_degrees_of_freedom() << " degrees of freedom"
-          << std::endl;
+      const auto    count =
+        [&out](const std::size_t n, const char *one, const char *many) {
+          out << n << ' ' << (n == 1 ? one : many);
+        };
+      out << "Mechanism: ";
+      count(parameters.mechanism.bodies.size(), "body, ", "bodies, ");
+      count(parameters.mechanism.joints.size(), "joint, ", "joints, ");
+      count(mechanism.n_degrees_of_freedom(),
+            "degree of freedom",
+            "degrees of freedom");
+      out << std::endl;
       for (const WearingBushing &bushing : bushings)
         out << "Bushing " << bushing.name() << ": "
             << bushing.node_angles().size() << " bore nodes, clearance "
@@ -129,7 +136,8 @@ namespace Tribody
           keep_results(directory, recorder, exception);
           throw;
         }
-      timer.print_summary();
+      if (parameters.cycles > 0)
+        timer.print_summary();
       AssertThrow(!was_interrupted(),
                   ExcRun("It was interrupted; the results up to there are "
                          "written."));
@@ -296,12 +304,15 @@ namespace Tribody
       state.counts.dynamics_cycles += settling.n_cycles;
       if (!settling.message.empty() && state.settling_message.empty())
         {
+          // Without wear, the results say it right away.
           std::ostringstream message;
-          message << "after " << state.cycles
-                  << " cycles: " << settling.message;
+          if (parameters.cycles > 0)
+            message << "after " << state.cycles << " cycles: ";
+          message << settling.message;
           state.settling_message = message.str();
-          console.out() << "WARNING: dynamics " << state.settling_message << "."
-                        << std::endl;
+          if (parameters.cycles > 0)
+            console.out() << "WARNING: dynamics " << state.settling_message
+                          << "." << std::endl;
         }
       state.constraint_drift =
         std::max(state.constraint_drift, state.duty_cycle.constraint_drift);

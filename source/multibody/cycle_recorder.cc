@@ -334,6 +334,7 @@ namespace Tribody
       joint.name             = entry.name;
       joint.is_revolute      = entry.is_revolute;
       joint.has_clearance    = entry.has_clearance;
+      joint.has_contact_law  = entry.has_clearance;
       joint.residual_ringing = compute_ringing(j);
       for (Eigen::VectorXd *values : {&joint.force_x,
                                       &joint.force_y,

@@ -118,7 +118,7 @@ namespace Tribody
           "Foundation thickness",
           p.foundation_thickness,
           "m",
-          "h of 'elastic foundation': thickness of the layer.",
+          "h of 'elastic foundation': thickness of the layer, above 0.",
           "mm");
         Parameters::add_quantity(
           prm,
@@ -168,13 +168,19 @@ namespace Tribody
           "and slip, z' = v_t - sigma_0 |v_t|/g z; a new contact begins with "
           "z = 0.");
         Parameters::add_quantity(
-          prm, "Friction coefficient", p.friction_coefficient, "", "mu.");
+          prm,
+          "Friction coefficient",
+          p.friction_coefficient,
+          "",
+          "mu of all friction laws (kinetic, where there is a static one), and "
+          "of the model 'impact'.");
         Parameters::add_quantity(prm,
                                  "Friction regularisation speed",
                                  p.friction_regularisation_speed,
                                  "m/s",
-                                 "v_0: below this sliding speed friction "
-                                 "falls to zero smoothly.",
+                                 "v_0 of 'Coulomb regularised' and "
+                                 "'Stribeck': below this sliding speed "
+                                 "friction falls to zero smoothly.",
                                  "mm/s");
         Parameters::add_quantity(
           prm,
@@ -212,7 +218,9 @@ namespace Tribody
                                  "Stribeck speed",
                                  p.stribeck_speed,
                                  "m/s",
-                                 "v_s of 'Stribeck' and 'LuGre'.",
+                                 "v_s of 'Stribeck' and 'LuGre': over about "
+                                 "this sliding speed friction falls from "
+                                 "mu_s to mu.",
                                  "mm/s");
         Parameters::add_quantity(prm,
                                  "Viscous friction",
@@ -292,12 +300,17 @@ namespace Tribody
       void
       check_not_negative(const std::string &path,
                          const double       value,
-                         const std::string &unit)
+                         const std::string &unit,
+                         const std::string &shown_unit = "")
       {
         AssertThrow(value >= 0,
                     ExcParameter(path,
                                  "must be zero or positive, not " +
-                                   Units::to_string(value, unit, unit)));
+                                   Units::to_string(value,
+                                                    unit,
+                                                    shown_unit.empty()
+                                                      ? unit
+                                                      : shown_unit)));
       }
 
 
@@ -332,13 +345,16 @@ namespace Tribody
           {
             check_positive(path + "/Foundation length",
                            p.foundation_length,
-                           "m");
+                           "m",
+                           "mm");
             check_positive(path + "/Foundation thickness",
                            p.foundation_thickness,
-                           "m");
+                           "m",
+                           "mm");
             check_not_negative(path + "/Foundation modulus",
                                p.foundation_modulus,
-                               "Pa");
+                               "Pa",
+                               "GPa");
           }
       }
 
@@ -352,7 +368,8 @@ namespace Tribody
                            "");
         check_positive(path + "/Friction regularisation speed",
                        p.friction_regularisation_speed,
-                       "m/s");
+                       "m/s",
+                       "mm/s");
         if (p.friction_law == "Ambrosio")
           {
             check_not_negative(path + "/Friction lower speed",
@@ -376,17 +393,22 @@ namespace Tribody
                 "must be at least the friction coefficient of " +
                   Units::to_string(p.friction_coefficient, "", "") + ", not " +
                   Units::to_string(p.static_friction_coefficient, "", "")));
-            check_positive(path + "/Stribeck speed", p.stribeck_speed, "m/s");
+            check_positive(path + "/Stribeck speed",
+                           p.stribeck_speed,
+                           "m/s",
+                           "mm/s");
             check_not_negative(path + "/Viscous friction",
                                p.viscous_friction,
                                "s/m");
           }
         if (p.friction_law == "LuGre")
           {
-            // The bristles slip when they are bent by g/sigma_0.
-            check_positive(path + "/Friction coefficient",
-                           p.friction_coefficient,
-                           "");
+            AssertThrow(p.friction_coefficient > 0,
+                        ExcParameter(path + "/Friction coefficient",
+                                     "must be positive for the law 'LuGre', "
+                                     "whose bristles slip when they are bent "
+                                     "by mu/sigma_0; without friction write "
+                                     "'set Friction law = none'"));
             check_positive(path + "/Bristle stiffness",
                            p.bristle_stiffness,
                            "m^-1");
@@ -404,7 +426,7 @@ namespace Tribody
         AssertThrow(
           p.restitution_coefficient > 0 && p.restitution_coefficient <= 1,
           ExcParameter(path + "/Restitution coefficient",
-                       "must be above 0 and at most 1, not " +
+                       "must be above 0 and at most 1 (no loss), not " +
                          Units::to_string(p.restitution_coefficient, "", "")));
       }
 
@@ -436,7 +458,8 @@ namespace Tribody
         check_restitution(path, p);
         check_positive(path + "/Minimum approach speed",
                        p.minimum_approach_speed,
-                       "m/s");
+                       "m/s",
+                       "mm/s");
         check_not_negative(path + "/Tangential damping",
                            p.tangential_damping,
                            "N s/m");

@@ -80,7 +80,7 @@ namespace Tribody
                                                 {"losses", joint.n_losses},
                                                 {"max_approach_speed_m_s",
                                                  joint.max_approach_speed}};
-            if (has_energy)
+            if (has_energy && joint.has_contact_law)
               {
                 json["normal_loss_J"]   = joint.normal_loss;
                 json["friction_loss_J"] = joint.friction_loss;
@@ -109,8 +109,10 @@ namespace Tribody
                      {"restarts", dynamics.n_restarts}};
         if (dynamics.has_energy)
           {
-            json["work_in_cycle_J"]       = dynamics.work;
-            json["dissipated_in_cycle_J"] = dynamics.dissipated;
+            json["work_in_cycle_J"]        = dynamics.work;
+            json["dissipated_in_cycle_J"]  = dynamics.dissipated;
+            json["damper_loss_in_cycle_J"] = dynamics.damper_loss;
+            json["impact_loss_in_cycle_J"] = dynamics.impact_loss;
             json["energy_balance_relative_error"] =
               dynamics.energy_balance_relative_error;
             json["energy_balance_relative_error_since_start"] =

@@ -1,7 +1,8 @@
 // Runs a parameter file as the program does and prints what the tests of this
 // directory compare: results in scaled units, beside closed forms and, if
 // reference/<name of the test>.csv exists, beside the joint forces tabulated
-// there (columns crank_angle [deg] and force [N]).
+// there (columns crank_angle [deg] and force [N]); likewise with the peak and
+// the mean of the force in reference/<name of the test>_peak_mean.csv.
 
 #include <deal.II/base/mpi.h>
 
@@ -75,6 +76,20 @@ compare_forces(const std::string &reference, const std::string &duty_cycle)
 }
 
 void
+compare_peak_and_mean(const std::string &reference, const json &joint)
+{
+  const double peak = read_column(reference, "peak_force [N]").at(0);
+  const double mean = read_column(reference, "mean_force [N]").at(0);
+  std::cout << "  reference: peak right to 2e-3: "
+            << (std::abs(joint["peak_force_N"].get<double>() / peak - 1.) <
+                2e-3)
+            << ", mean right to 2e-3: "
+            << (std::abs(joint["mean_force_N"].get<double>() / mean - 1.) <
+                2e-3)
+            << std::endl;
+}
+
+void
 print_bushing(const json &joint)
 {
   const json  &bushing  = joint["bushing"];
@@ -97,6 +112,20 @@ print_bushing(const json &joint)
             << ", oscillation below 1e-2: "
             << (bushing["wear_rate_mesh_oscillation"] < 1e-2)
             << ", losses of contact: " << joint["contact_losses"] << std::endl;
+}
+
+// Of a run without wear.
+void
+print_energy_balance(const json &dynamics)
+{
+  const double     error = dynamics["energy_balance_relative_error"];
+  constexpr double bound = 1e-4;
+  std::cout << "energy balance in the recorded cycle below 1e-4: ";
+  if (error < bound)
+    std::cout << "yes" << std::endl;
+  else
+    std::cout << "no, " << std::scientific << std::setprecision(1) << error
+              << std::fixed << std::endl;
 }
 
 int
@@ -134,6 +163,8 @@ main(int argc, char **argv)
             << summary["counts"]["wear_steps"] << " wear steps; drift below "
             << "1e-8 m: " << (summary["dynamics"]["constraint_drift_m"] < 1e-8)
             << ", settled: " << summary["dynamics"]["settled"] << std::endl;
+  if (summary["dynamics"].contains("energy_balance_relative_error"))
+    print_energy_balance(summary["dynamics"]);
   for (const auto &[joint_name, joint] : summary["joints"].items())
     {
       // Three digits: the last of more would be the integrator's.
@@ -142,9 +173,14 @@ main(int argc, char **argv)
                 << " N, mean " << joint["mean_force_N"].get<double>() << " N"
                 << std::fixed << std::endl;
       const std::string reference =
-        std::string(SOURCE_DIR) + "/reference/" + name + ".csv";
-      if (joint_name == "crank_pin" && std::filesystem::exists(reference))
-        compare_forces(reference, directory + "/crank_pin/duty_cycle_0000.csv");
+        std::string(SOURCE_DIR) + "/reference/" + name;
+      if (joint_name == "crank_pin" &&
+          std::filesystem::exists(reference + ".csv"))
+        compare_forces(reference + ".csv",
+                       directory + "/crank_pin/duty_cycle_0000.csv");
+      if (joint_name == "crank_pin" &&
+          std::filesystem::exists(reference + "_peak_mean.csv"))
+        compare_peak_and_mean(reference + "_peak_mean.csv", joint);
       if (joint.contains("bushing"))
         print_bushing(joint);
     }

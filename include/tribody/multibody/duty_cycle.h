@@ -29,6 +29,9 @@ namespace Tribody
       std::string name;
       bool        is_revolute   = true;
       bool        has_clearance = false;
+      /// Whether the pin presses by a contact force law, so that EnergyRecord
+      /// has entries for it; else it is rigid.
+      bool has_contact_law = false;
 
       /// Total force [N].
       Eigen::VectorXd force_x;

@@ -43,6 +43,7 @@ namespace Tribody
     {
       std::string  name;
       bool         has_clearance     = false;
+      bool         has_contact_law   = false; ///< else the pin is rigid
       bool         has_bushing       = false;
       double       peak_force        = 0.;
       double       peak_phase        = 0.; ///< where that occurs [deg]
@@ -88,6 +89,10 @@ namespace Tribody
       double work        = 0.;
       double dissipated  = 0.;
       double damper_loss = 0.;
+      double impact_loss = 0.; ///< where velocities jump
+      /// Smallest and largest at the samples of the recorded cycle [J].
+      double min_kinetic_energy = 0.;
+      double max_kinetic_energy = 0.;
       /// Largest error of the energy balance relative to its largest term [-]:
       /// in the recorded cycle and in the motion as a whole.
       double energy_balance_relative_error             = 0.;
