@@ -107,6 +107,7 @@ namespace Tribody
       {
         Output::DynamicsSummary summary;
         summary.settling_cycles  = cycle.settling.n_cycles;
+        summary.averaged_cycles  = cycle.settling.n_averaged_cycles;
         summary.n_steps          = cycle.statistics.n_steps;
         summary.n_steps_in_cycle = cycle.n_steps_in_cycle;
         summary.n_residuals      = cycle.statistics.n_residuals;
@@ -138,6 +139,9 @@ namespace Tribody
         joint.peak_force             = cycle.peak_force();
         joint.peak_phase             = phase[cycle.peak_sample()];
         joint.mean_force             = cycle.mean_force();
+        joint.mean_peak_force        = cycle.mean_peak_force;
+        joint.peak_force_deviation   = cycle.peak_force_deviation;
+        joint.mean_force_deviation   = cycle.mean_force_deviation;
         joint.residual_ringing       = cycle.residual_ringing;
         joint.peak_force_since_start = cycle.peak_force_since_start;
         joint.share_free             = cycle.share_of(ContactState::free);
@@ -259,9 +263,23 @@ namespace Tribody
               << " residual and " << dynamics.n_jacobians
               << " Jacobian evaluations, " << dynamics.n_restarts << " restarts"
               << std::endl;
+        if (dynamics.averaged_cycles > 1)
+          {
+            out << "  averages and standard deviations over "
+                << dynamics.averaged_cycles << " cycles";
+            for (const Output::JointSummary &joint : summary.joints)
+              out << "; " << joint.name << ": largest force "
+                  << std::setprecision(4) << joint.mean_peak_force << " +- "
+                  << std::setprecision(2) << joint.peak_force_deviation
+                  << " N, mean " << std::setprecision(4) << joint.mean_force
+                  << " +- " << std::setprecision(2)
+                  << joint.mean_force_deviation << " N";
+            out << std::endl;
+          }
         if (dynamics.has_energy)
           {
-            out << std::setprecision(5) << "  energy in the cycle: work "
+            out << std::setprecision(5) << "  energy in the recorded cycle"
+                << (dynamics.averaged_cycles > 1 ? "s" : "") << ": work "
                 << dynamics.work << " J, dissipated " << dynamics.dissipated
                 << " J";
             for (const Output::JointSummary &joint : summary.joints)
