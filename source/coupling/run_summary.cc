@@ -107,6 +107,7 @@ namespace Tribody
       {
         Output::DynamicsSummary summary;
         summary.settling_cycles  = cycle.settling.n_cycles;
+        summary.averaged_cycles  = cycle.settling.n_averaged_cycles;
         summary.n_steps          = cycle.statistics.n_steps;
         summary.n_steps_in_cycle = cycle.n_steps_in_cycle;
         summary.n_residuals      = cycle.statistics.n_residuals;
@@ -145,6 +146,9 @@ namespace Tribody
         joint.peak_force             = cycle.peak_force();
         joint.peak_phase             = phase[cycle.peak_sample()];
         joint.mean_force             = cycle.mean_force();
+        joint.mean_peak_force        = cycle.mean_peak_force;
+        joint.peak_force_deviation   = cycle.peak_force_deviation;
+        joint.mean_force_deviation   = cycle.mean_force_deviation;
         joint.residual_ringing       = cycle.residual_ringing;
         joint.peak_force_since_start = cycle.peak_force_since_start;
         joint.share_free             = cycle.share_of(ContactState::free);
@@ -253,7 +257,7 @@ namespace Tribody
       print_contacts(std::ostream &out, const Output::JointSummary &joint)
       {
         out << "  " << joint.name << ": " << std::fixed << std::setprecision(2)
-            << 100. * joint.share_free << " % of the cycle in free flight, "
+            << 100. * joint.share_free << " % of the time in free flight, "
             << 100. * joint.share_impact << " % in impacts, "
             << 100. * joint.share_following << " % following the bore"
             << std::defaultfloat << std::endl
@@ -263,6 +267,23 @@ namespace Tribody
           out << ", approach at up to " << std::setprecision(3)
               << 1e3 * joint.max_approach_speed << " mm/s";
         out << std::endl;
+      }
+
+
+
+      // Of a motion that does not repeat.
+      void
+      print_averages(std::ostream &out, const Output::RunSummary &summary)
+      {
+        out << "    averages and standard deviations over "
+            << summary.dynamics.averaged_cycles << " cycles" << std::endl;
+        for (const Output::JointSummary &joint : summary.joints)
+          out << "    " << joint.name << ": largest force "
+              << std::setprecision(4) << joint.mean_peak_force << " +- "
+              << std::setprecision(2) << joint.peak_force_deviation
+              << " N, mean " << std::setprecision(4) << joint.mean_force
+              << " +- " << std::setprecision(2) << joint.mean_force_deviation
+              << " N" << std::endl;
       }
 
 
@@ -277,7 +298,8 @@ namespace Tribody
                    ? 0.
                    : energy;
         };
-        out << std::setprecision(5) << "  energy in the recorded cycle: work "
+        out << std::setprecision(5) << "  energy in the recorded cycle"
+            << (dynamics.averaged_cycles > 1 ? "s" : "") << ": work "
             << without_noise(dynamics.work) << " J, dissipated "
             << without_noise(dynamics.dissipated) << " J; kinetic between "
             << dynamics.min_kinetic_energy << " and "
@@ -291,7 +313,7 @@ namespace Tribody
         if (dynamics.impact_loss != 0.)
           out << "    impacts: " << dynamics.impact_loss << " J" << std::endl;
         out << std::setprecision(2) << "    balance: relative error "
-            << dynamics.energy_balance_relative_error << " in this cycle, "
+            << dynamics.energy_balance_relative_error << ", "
             << dynamics.energy_balance_relative_error_since_start
             << " since the start" << std::endl;
       }
@@ -309,8 +331,12 @@ namespace Tribody
         const Output::DynamicsSummary &dynamics = summary.dynamics;
         if (dynamics.n_steps > 0)
           {
-            out << "  motion: recorded in cycle " << dynamics.settling_cycles;
-            if (dynamics.settling_cycles > 1)
+            out << "  motion: recorded in cycle ";
+            if (dynamics.averaged_cycles > 1)
+              out << dynamics.settling_cycles - dynamics.averaged_cycles + 1
+                  << " to ";
+            out << dynamics.settling_cycles;
+            if (dynamics.settling_cycles > 1 && dynamics.averaged_cycles == 1)
               out << ", forces differ from those of the cycle before by "
                   << std::setprecision(2) << 100. * summary.settling_difference
                   << " %";
@@ -321,6 +347,8 @@ namespace Tribody
                 << dynamics.n_jacobians << " Jacobian evaluations, "
                 << dynamics.n_restarts << " restarts" << std::endl;
           }
+        if (dynamics.averaged_cycles > 1)
+          print_averages(out, summary);
         if (dynamics.has_energy)
           print_energy(out, summary);
       }

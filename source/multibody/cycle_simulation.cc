@@ -303,20 +303,21 @@ namespace Tribody
 
 
     unsigned long
-    CycleSimulation::record_cycle(const double        begins,
-                                  IntermittentMotion &integrator,
-                                  CycleRecorder      &recorder) const
+    CycleSimulation::record_cycles(const double        begins,
+                                   const unsigned int  n_cycles,
+                                   IntermittentMotion &integrator,
+                                   CycleRecorder      &recorder) const
     {
       const unsigned int  n       = parameters.samples_per_cycle;
       const unsigned long n_steps = integrator.statistics().n_steps;
       unsigned long       n_taken = 0;
-      for (unsigned int k = 0; k <= 2 * n; ++k)
+      for (unsigned int k = 0; k <= 2 * n * n_cycles; ++k)
         {
           // The first cycle lacks the half interval before time 0.
           const double          t = std::max(0., begins + k * period / (2 * n));
           const MechanismState &state =
             integrator.advance_to(t,
-                                  parameters.maximum_steps_per_cycle,
+                                  n_cycles * parameters.maximum_steps_per_cycle,
                                   n_taken);
           recorder.record(k, state, integrator.present_equations());
           n_taken = integrator.statistics().n_steps - n_steps;
@@ -336,19 +337,21 @@ namespace Tribody
       settling.n_cycles = 1;
       if (parameters.maximum_settling_cycles == 0)
         {
-          n_steps_in_cycle = record_cycle(-half_interval, integrator, recorder);
+          n_steps_in_cycle =
+            record_cycles(-half_interval, 1, integrator, recorder);
           settling.converged = true;
           return settling;
         }
       CycleRecorder before(recorder);
-      record_cycle(-half_interval, integrator, before);
+      record_cycles(-half_interval, 1, integrator, before);
 
       while (true)
         {
           n_steps_in_cycle =
-            record_cycle(settling.n_cycles * period - half_interval,
-                         integrator,
-                         recorder);
+            record_cycles(settling.n_cycles * period - half_interval,
+                          1,
+                          integrator,
+                          recorder);
           ++settling.n_cycles;
           settling.repeat_difference = recorder.difference(before);
           settling.converged =
@@ -359,6 +362,27 @@ namespace Tribody
           before.swap_records(recorder);
         }
       return settling;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::record_average(const EquationsOfMotion &equations,
+                                    const EnergyAccount     *account,
+                                    const unsigned int       n_cycles_before,
+                                    IntermittentMotion      &integrator) const
+    {
+      const unsigned int n         = parameters.averaged_cycles;
+      const unsigned int n_samples = parameters.samples_per_cycle;
+      CycleRecorder      recorder(equations, n * n_samples, n * period);
+      recorder.set_energy_account(account);
+      const double begins = n_cycles_before * period - period / (2 * n_samples);
+      const unsigned long n_steps =
+        record_cycles(begins, n, integrator, recorder);
+      DutyCycle cycle = recorder.make_duty_cycle(integrator.events());
+      cycle.average_over(n);
+      cycle.n_steps_in_cycle = n_steps / n;
+      return cycle;
     }
 
 
@@ -375,16 +399,31 @@ namespace Tribody
 
       CycleRecorder recorder(equations, parameters.samples_per_cycle, period);
       EnergyAccount account(equations);
-      if (parameters.energy_balance == "always")
+      const bool    keeps_account = parameters.energy_balance == "always";
+      if (keeps_account)
         {
           integrator.set_energy_account(&account);
           recorder.set_energy_account(&account);
         }
-      unsigned long  n_steps_in_cycle = 0;
       SettlingReport settling;
+      DutyCycle      cycle;
       try
         {
+          unsigned long n_steps_in_cycle = 0;
           settling = settle(integrator, recorder, n_steps_in_cycle);
+          if (settling.converged || parameters.averaged_cycles == 1)
+            {
+              cycle = recorder.make_duty_cycle(integrator.events());
+              cycle.n_steps_in_cycle = n_steps_in_cycle;
+            }
+          else
+            {
+              cycle                      = record_average(equations,
+                                     keeps_account ? &account : nullptr,
+                                     settling.n_cycles,
+                                     integrator);
+              settling.n_averaged_cycles = parameters.averaged_cycles;
+            }
         }
       catch (const ExcRun &error)
         {
@@ -400,18 +439,24 @@ namespace Tribody
         }
       settling.message = start.report.message;
       if (!settling.converged)
-        settling.message +=
-          std::string(settling.message.empty() ? "" : "; ") +
-          "the joint forces still changed by " +
-          significant_digits(100 * settling.repeat_difference) +
-          " % of the largest one from cycle to cycle after " +
-          std::to_string(settling.n_cycles) + " cycles";
+        {
+          settling.message +=
+            std::string(settling.message.empty() ? "" : "; ") +
+            "the joint forces still changed by " +
+            significant_digits(100 * settling.repeat_difference) +
+            " % of the largest one from cycle to cycle after " +
+            std::to_string(settling.n_cycles) + " cycles";
+          if (settling.n_averaged_cycles > 1)
+            settling.message += "; the results are over the " +
+                                std::to_string(settling.n_averaged_cycles) +
+                                " cycles after that";
+        }
+      settling.n_cycles +=
+        settling.n_averaged_cycles > 1 ? settling.n_averaged_cycles : 0;
 
-      DutyCycle cycle        = recorder.make_duty_cycle(integrator.events());
       cycle.settling         = settling;
       cycle.constraint_drift = integrator.constraint_drift();
       cycle.statistics       = integrator.statistics();
-      cycle.n_steps_in_cycle = n_steps_in_cycle;
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)
         if (mechanism.joints()[j].has_clearance)
           cycle.joints[j].peak_force_since_start =

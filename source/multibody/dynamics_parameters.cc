@@ -81,6 +81,18 @@ namespace Tribody
                               "from the start, whether it repeats or not.",
                               0,
                               100000);
+      Parameters::add_integer(
+        prm,
+        "Averaged cycles",
+        averaged_cycles,
+        "If the motion does not repeat within the settling tolerance: number "
+        "of cycles that are recorded after that. All their samples make up the "
+        "duty cycle, each with its share of one cycle's sliding; means are "
+        "over "
+        "all of them, and their scatter from cycle to cycle is reported. 1 "
+        "takes the last cycle as it is.",
+        1,
+        10000);
       Parameters::add_integer(prm,
                               "Maximum steps per cycle",
                               maximum_steps_per_cycle,

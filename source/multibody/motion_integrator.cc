@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Tribody
 {
@@ -48,9 +49,10 @@ namespace Tribody
                                MatrixEntries &entries) {
         assemble_jacobian(y, t, c, entries);
       };
-      system.n_roots = equations.mechanism().clearance_joints().size() +
-                       equations.mechanism().impact_joints().size();
-      system.roots = [this](const double                       t,
+      // Two for each joint, see evaluate_roots().
+      system.n_roots = 2 * (equations.mechanism().clearance_joints().size() +
+                            equations.mechanism().impact_joints().size());
+      system.roots   = [this](const double                       t,
                             const ImplicitSystem::ConstVector &y,
                             double *values) { evaluate_roots(t, y, values); };
       return system;
@@ -171,19 +173,46 @@ namespace Tribody
     {
       const Mechanism   &mechanism  = equations.mechanism();
       const unsigned int n_contacts = mechanism.clearance_joints().size();
+      const unsigned int n_joints =
+        n_contacts + mechanism.impact_joints().size();
+      // A contact that begins and ends within one step changes the sign of its
+      // penetration at neither end. But the pin is farthest out in between:
+      // where its rate falls through zero, the integrator looks.
+      const auto flight_rate = [](const double penetration, const auto &rate) {
+        constexpr double not_flying = -1.;
+        return penetration < 0. ? rate() : not_flying;
+      };
       for (unsigned int j = 0; j < n_contacts; ++j)
-        values[j] = equations.compute_penetration(j, y.head(n));
+        {
+          values[j]            = equations.compute_penetration(j, y.head(n));
+          values[n_joints + j] = flight_rate(values[j], [&]() {
+            return equations
+              .compute_contact(
+                j, y.head(n), y.segment(n, n), current.approach_speeds[j], 0.)
+              .penetration_rate;
+          });
+        }
 
       Eigen::VectorXd multipliers;
       for (unsigned int k = 0; k < mechanism.impact_joints().size(); ++k)
         {
-          const ImpactJoint &joint = mechanism.impact_joints()[k];
-          if (joint.is_following && multipliers.size() == 0)
-            multipliers = exact_multipliers(t, y);
-          values[n_contacts + k] =
-            joint.is_following
-              ? multipliers(joint.first_row)
-              : joint.compute_penetration(joint.link->bodies.gather(y.head(n)));
+          const ImpactJoint &joint  = mechanism.impact_joints()[k];
+          double            &value  = values[n_contacts + k];
+          double            &flight = values[n_joints + n_contacts + k];
+          if (joint.is_following)
+            {
+              if (multipliers.size() == 0)
+                multipliers = exact_multipliers(t, y);
+              value  = multipliers(joint.first_row);
+              flight = flight_rate(0., []() { return 0.; });
+              continue;
+            }
+          const BodyPair &bodies = joint.link->bodies;
+          value  = joint.compute_penetration(bodies.gather(y.head(n)));
+          flight = flight_rate(value, [&]() {
+            return joint.normal_row(bodies.gather(y.head(n)))
+              .dot(bodies.gather(y.segment(n, n)));
+          });
         }
     }
 
@@ -346,6 +375,33 @@ namespace Tribody
 
 
 
+    std::string
+    MotionIntegrator::describe_deepest_contact() const
+    {
+      const Eigen::VectorXd             &y = ida->solution();
+      const std::vector<ClearanceJoint> &joints =
+        equations.mechanism().clearance_joints();
+      double      deepest = -std::numeric_limits<double>::infinity();
+      std::string name;
+      for (unsigned int j = 0; j < joints.size(); ++j)
+        {
+          const double penetration =
+            equations.compute_penetration(j, y.head(n));
+          if (penetration > deepest)
+            {
+              deepest = penetration;
+              name    = joints[j].name;
+            }
+        }
+      if (name.empty())
+        return "";
+      return " Of the joints with clearance, '" + name +
+             "' has the largest penetration there, " +
+             significant_digits(1e6 * deepest) + " um.";
+    }
+
+
+
     const MechanismState &
     MotionIntegrator::advance_to(const double        t,
                                  const unsigned long maximum_steps,
@@ -371,8 +427,16 @@ namespace Tribody
                              "per cycle') and has only reached time " +
                              significant_digits(ida->time(), 6) +
                              " s. A larger 'Dynamics/Accuracy' takes longer "
-                             "steps."));
-          record_step(ida->step(t + 1.));
+                             "steps." +
+                             describe_deepest_contact()));
+          try
+            {
+              record_step(ida->step(t + 1.));
+            }
+          catch (const ExcRun &error)
+            {
+              throw ExcRun(message_of(error) + describe_deepest_contact());
+            }
         }
       if (stop_is_pending && ida->time() <= t)
         {

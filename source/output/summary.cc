@@ -66,6 +66,12 @@ namespace Tribody
         json["peak_force_phase_deg"] = joint.peak_phase;
         json["mean_force_N"]         = joint.mean_force;
         json["residual_ringing"]     = joint.residual_ringing;
+        if (joint.mean_peak_force > 0.)
+          {
+            json["mean_peak_force_N"]      = joint.mean_peak_force;
+            json["peak_force_deviation_N"] = joint.peak_force_deviation;
+            json["mean_force_deviation_N"] = joint.mean_force_deviation;
+          }
         if (joint.has_clearance)
           {
             json["mean_normal_force_N"]      = joint.mean_normal_force;
@@ -102,6 +108,7 @@ namespace Tribody
                      {"settling_relative_difference",
                       summary.settling_difference},
                      {"settling_cycles", dynamics.settling_cycles},
+                     {"averaged_cycles", dynamics.averaged_cycles},
                      {"integration_steps", dynamics.n_steps},
                      {"integration_steps_in_cycle", dynamics.n_steps_in_cycle},
                      {"residual_evaluations", dynamics.n_residuals},

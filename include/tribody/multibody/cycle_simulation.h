@@ -15,6 +15,7 @@ namespace Tribody
   namespace Multibody
   {
     class CycleRecorder;
+    class EnergyAccount;
     class IntermittentMotion;
     struct DutyCycle;
     struct SettlingReport;
@@ -94,11 +95,13 @@ namespace Tribody
       DutyCycle
       run_dynamics(const EquationsOfMotion &equations) const;
 
-      // Go through one cycle; returns the integration steps taken.
+      // Go through cycles, one or as many as recorder is made for; returns the
+      // integration steps taken.
       unsigned long
-      record_cycle(const double        begins,
-                   IntermittentMotion &integrator,
-                   CycleRecorder      &recorder) const;
+      record_cycles(const double        begins,
+                    const unsigned int  n_cycles,
+                    IntermittentMotion &integrator,
+                    CycleRecorder      &recorder) const;
 
       // Go through cycles until one repeats the one before; the last is left
       // in recorder.
@@ -106,6 +109,13 @@ namespace Tribody
       settle(IntermittentMotion &integrator,
              CycleRecorder      &recorder,
              unsigned long      &n_steps_in_cycle) const;
+
+      // Record as many cycles as are to be averaged, from where settle() ended.
+      DutyCycle
+      record_average(const EquationsOfMotion &equations,
+                     const EnergyAccount     *account,
+                     const unsigned int       n_cycles_before,
+                     IntermittentMotion      &integrator) const;
 
       // In static equilibrium, or in slow motion if asked for and possible,
       // else centred; the message of its report says why.

@@ -74,6 +74,13 @@ namespace Tribody
       /// friction counts too.
       double residual_ringing = 0.;
 
+      /// If several cycles were recorded: the mean of their peak forces, and
+      /// the standard deviations from cycle to cycle of peak and mean force
+      /// [N].
+      double mean_peak_force      = 0.;
+      double peak_force_deviation = 0.;
+      double mean_force_deviation = 0.;
+
       /// Magnitude of the total force [N].
       Eigen::VectorXd
       force() const;
@@ -141,6 +148,9 @@ namespace Tribody
       /// that joint's largest force [-].
       double repeat_difference = 0.;
       bool   converged         = false;
+      /// Cycles that the recorded samples belong to: more than one if the
+      /// motion does not repeat.
+      unsigned int n_averaged_cycles = 1;
       /// What did not go as wished; empty if everything did.
       std::string message;
     };
@@ -175,6 +185,11 @@ namespace Tribody
       /// The whole run, and the recorded cycle alone.
       IntegratorStatistics statistics;
       unsigned long        n_steps_in_cycle = 0;
+
+      /// Make a record of @p n cycles one of an average cycle: every sample
+      /// gets an n-th of its sliding, and the scatter is computed.
+      void
+      average_over(const unsigned int n);
 
       /// @throws ExcMessage if there is no joint @p name.
       const JointDutyCycle &

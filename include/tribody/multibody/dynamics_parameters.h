@@ -32,6 +32,8 @@ namespace Tribody
       /// Cycles that are run at most before one is taken as it is; 0: the
       /// first one is.
       unsigned int maximum_settling_cycles = 20;
+      /// Cycles that are averaged if the motion does not repeat.
+      unsigned int averaged_cycles = 10;
       /// Integration steps in one cycle after which the run is given up.
       unsigned int maximum_steps_per_cycle = 1000000;
       /// "slow motion", "centred" or "static equilibrium".

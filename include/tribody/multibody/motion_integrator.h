@@ -168,7 +168,8 @@ namespace Tribody
                         const double                       c,
                         MatrixEntries                     &entries);
 
-      // Penetrations of contacts and flying pins, forces of following ones.
+      // Penetrations of contacts and flying pins, forces of following ones;
+      // then, as many again, rates of the penetration of flying pins.
       void
       evaluate_roots(const double                       t,
                      const ImplicitSystem::ConstVector &y,
@@ -186,6 +187,10 @@ namespace Tribody
       // there get their approach speed and fresh friction.
       void
       take_stop();
+
+      // For messages: which joint is pressed most, and how deep.
+      std::string
+      describe_deepest_contact() const;
 
       // Take over a state.
       void

@@ -41,17 +41,22 @@ namespace Tribody
     /// What a run says of one joint; forces of the last duty cycle.
     struct JointSummary
     {
-      std::string  name;
-      bool         has_clearance     = false;
-      bool         has_contact_law   = false; ///< else the pin is rigid
-      bool         has_bushing       = false;
-      double       peak_force        = 0.;
-      double       peak_phase        = 0.; ///< where that occurs [deg]
-      double       mean_force        = 0.;
-      double       mean_normal_force = 0.;
-      double       sliding_per_cycle = 0.;
-      double       clearance         = 0.; ///< largest, worn [m]
-      unsigned int contact_losses    = 0;  ///< in all recorded cycles
+      std::string name;
+      bool        has_clearance     = false;
+      bool        has_contact_law   = false; ///< else the pin is rigid
+      bool        has_bushing       = false;
+      double      peak_force        = 0.;
+      double      peak_phase        = 0.; ///< where that occurs [deg]
+      double      mean_force        = 0.;
+      double      mean_normal_force = 0.;
+      /// If several cycles were averaged: mean of their peak forces, and the
+      /// standard deviations from cycle to cycle [N].
+      double       mean_peak_force      = 0.;
+      double       peak_force_deviation = 0.;
+      double       mean_force_deviation = 0.;
+      double       sliding_per_cycle    = 0.;
+      double       clearance            = 0.; ///< largest, worn [m]
+      unsigned int contact_losses       = 0;  ///< in all recorded cycles
       /// Of the last recorded cycle, parts of its time: free flight, impacts,
       /// lasting contact.
       double share_free      = 0.;
@@ -76,6 +81,8 @@ namespace Tribody
     {
       /// Cycles until the motion repeated, the recorded one included.
       unsigned int settling_cycles = 0;
+      /// Cycles that the results are over; more than one if it did not repeat.
+      unsigned int averaged_cycles = 1;
       /// Integration: of the whole motion, and steps of the recorded cycle.
       unsigned long n_steps          = 0;
       unsigned long n_steps_in_cycle = 0;
