@@ -86,19 +86,19 @@ average_of_repeating_motion()
 void
 average_of_other_motion()
 {
-  // At 300 rpm the pin bounces through its 5 mm.
+  // The impacts at the start leave a swing that has not yet died away.
   MechanismParameters p = steel(1);
-  p.drivers[0].speed    = 10 * M_PI;
-  const DutyCycle ideal =
+  const DutyCycle     ideal =
     CycleSimulation(Mechanism(p), DynamicsParameters()).run();
   add_steel_clearance(p, 1, 25e-3);
   const Mechanism    mechanism(p);
   DynamicsParameters dynamics;
-  dynamics.maximum_settling_cycles = 2;
+  dynamics.start                   = "centred";
+  dynamics.maximum_settling_cycles = 1;
   dynamics.averaged_cycles         = 5;
   const DutyCycle       cycle      = CycleSimulation(mechanism, dynamics).run();
   const JointDutyCycle &joint      = cycle.joint("crank_pin");
-  std::cout << "bouncing: settled " << cycle.settling.converged
+  std::cout << "swinging: settled " << cycle.settling.converged
             << ", averaged over " << cycle.settling.n_averaged_cycles
             << " cycles" << std::endl;
   report_below("  sliding against the ideal joint's, with R_j",
@@ -109,8 +109,8 @@ average_of_other_motion()
                         1),
                5e-3 / 1.);
   std::cout << "  forces scatter: "
-            << (joint.peak_force_deviation > 1e-3 * joint.mean_peak_force)
-            << ", losses: " << (joint.n_losses > 0) << std::endl;
+            << (joint.peak_force_deviation > 1e-5 * joint.mean_peak_force)
+            << std::endl;
 }
 
 // A free pin, 5 mm of clearance, thrown up from the centre to the given height
