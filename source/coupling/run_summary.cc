@@ -280,9 +280,9 @@ namespace Tribody
         for (const Output::JointSummary &joint : summary.joints)
           out << "    " << joint.name << ": largest force "
               << std::setprecision(4) << joint.mean_peak_force << " +- "
-              << std::setprecision(2) << joint.peak_force_deviation
+              << std::setprecision(3) << joint.peak_force_deviation
               << " N, mean " << std::setprecision(4) << joint.mean_force
-              << " +- " << std::setprecision(2) << joint.mean_force_deviation
+              << " +- " << std::setprecision(3) << joint.mean_force_deviation
               << " N" << std::endl;
       }
 
@@ -342,7 +342,7 @@ namespace Tribody
                   << " %";
             out << std::endl
                 << "    " << dynamics.n_steps << " integration steps ("
-                << dynamics.n_steps_in_cycle << " in the recorded cycle), "
+                << dynamics.n_steps_in_cycle << " per recorded cycle), "
                 << dynamics.n_residuals << " residual and "
                 << dynamics.n_jacobians << " Jacobian evaluations, "
                 << dynamics.n_restarts << " restarts" << std::endl;

@@ -177,20 +177,23 @@ namespace Tribody
         n_contacts + mechanism.impact_joints().size();
       // A contact that begins and ends within one step changes the sign of its
       // penetration at neither end. But the pin is farthest out in between:
-      // where its rate falls through zero, the integrator looks.
-      const auto flight_rate = [](const double penetration, const auto &rate) {
-        constexpr double not_flying = -1.;
-        return penetration < 0. ? rate() : not_flying;
-      };
+      // where its rate falls through zero, the integrator looks. Not near the
+      // centre of the bushing, where "outwards" is not a direction: at rest
+      // there, as a motion may start, the rate is noise around zero.
+      constexpr double not_flying  = -1.;
+      constexpr double near_centre = 0.1;
       for (unsigned int j = 0; j < n_contacts; ++j)
         {
           values[j]            = equations.compute_penetration(j, y.head(n));
-          values[n_joints + j] = flight_rate(values[j], [&]() {
-            return equations
-              .compute_contact(
-                j, y.head(n), y.segment(n, n), current.approach_speeds[j], 0.)
-              .penetration_rate;
-          });
+          values[n_joints + j] = not_flying;
+          if (values[j] >= 0.)
+            continue;
+          const JointContact contact = equations.compute_contact(
+            j, y.head(n), y.segment(n, n), current.approach_speeds[j], 0.);
+          const double eccentricity = contact.eccentricity.norm();
+          const double clearance    = eccentricity - contact.penetration;
+          if (eccentricity > near_centre * clearance)
+            values[n_joints + j] = contact.penetration_rate;
         }
 
       Eigen::VectorXd multipliers;
@@ -204,15 +207,16 @@ namespace Tribody
               if (multipliers.size() == 0)
                 multipliers = exact_multipliers(t, y);
               value  = multipliers(joint.first_row);
-              flight = flight_rate(0., []() { return 0.; });
+              flight = not_flying;
               continue;
             }
           const BodyPair &bodies = joint.link->bodies;
-          value  = joint.compute_penetration(bodies.gather(y.head(n)));
-          flight = flight_rate(value, [&]() {
-            return joint.normal_row(bodies.gather(y.head(n)))
-              .dot(bodies.gather(y.segment(n, n)));
-          });
+          value = joint.compute_penetration(bodies.gather(y.head(n)));
+          flight =
+            (value < 0. && value > (near_centre - 1.) * joint.link->length)
+              ? joint.normal_row(bodies.gather(y.head(n)))
+                  .dot(bodies.gather(y.segment(n, n)))
+              : not_flying;
         }
     }
 
