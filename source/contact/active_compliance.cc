@@ -14,6 +14,30 @@ namespace Tribody
     {
       /// Following this part of the nodes costs as much as a new inverse.
       constexpr double largest_change = 0.3;
+
+      /// @p matrix times few columns. Matrix times vector, one after the other,
+      /// is faster than Eigen's product of matrices, which copies the first one
+      /// to prepare it for many columns.
+      Eigen::MatrixXd
+      multiply_columns(const Eigen::Ref<const Eigen::MatrixXd> &matrix,
+                       const Eigen::MatrixXd                   &few)
+      {
+        Eigen::MatrixXd product(matrix.rows(), few.cols());
+        for (Eigen::Index j = 0; j < few.cols(); ++j)
+          product.col(j).noalias() = matrix * few.col(j);
+        return product;
+      }
+
+      /// Add @p sign times @f$ Z^T Z @f$ for a Z of few rows.
+      void
+      add_square(const double                sign,
+                 const Eigen::MatrixXd      &Z,
+                 Eigen::Ref<Eigen::MatrixXd> matrix)
+      {
+        const Eigen::MatrixXd few = sign * Z.transpose();
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+          matrix.col(j).noalias() += few * Z.col(j);
+      }
     } // namespace
 
 
@@ -131,7 +155,7 @@ namespace Tribody
           inverse.block(last, last, n_leaving, n_leaving))
           .matrixL()
           .solve(X_KR);
-      inverse.topLeftCorner(last, last).noalias() -= Z.transpose() * Z;
+      add_square(-1., Z, inverse.topLeftCorner(last, last));
       order.resize(last);
     }
 
@@ -152,7 +176,7 @@ namespace Tribody
       const Eigen::LLT<Eigen::MatrixXd> S(compliance(nodes, nodes) -
                                           B.transpose() * Y);
       const Eigen::MatrixXd             Z = S.matrixL().solve(Y.transpose());
-      X.noalias() += Z.transpose() * Z;
+      add_square(1., Z, X);
       const Eigen::MatrixXd inverse_of_S =
         S.solve(Eigen::MatrixXd::Identity(k, k));
       inverse.block(m, m, k, k)           = inverse_of_S;
@@ -178,7 +202,8 @@ namespace Tribody
       Eigen::MatrixXd    ordered(m, right_hand_sides.cols());
       for (Eigen::Index k = 0; k < m; ++k)
         ordered.row(place[active_set[k]]) = right_hand_sides.row(k);
-      const Eigen::MatrixXd product = inverse.topLeftCorner(m, m) * ordered;
+      const Eigen::MatrixXd product =
+        multiply_columns(inverse.topLeftCorner(m, m), ordered);
       for (Eigen::Index k = 0; k < m; ++k)
         ordered.row(k) = product.row(place[active_set[k]]);
       return ordered;

@@ -78,6 +78,14 @@ namespace Tribody
 
       Iterate      iterate = first_iterate(force_per_length, warm_start);
       SolverReport report  = iterate_pin_and_forces(force_per_length, iterate);
+      if (!report.converged && iterate.is_warm)
+        {
+          // What it was started from has nothing to do with this force.
+          const unsigned int n_before = report.n_iterations;
+          iterate = first_iterate(force_per_length, nullptr);
+          report  = iterate_pin_and_forces(force_per_length, iterate);
+          report.n_iterations += n_before;
+        }
       if (!report.converged)
         {
           iterate.pin_centre.setZero();
