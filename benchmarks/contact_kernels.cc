@@ -25,8 +25,10 @@
 #include <tribody/geometry/worn_configuration.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <string>
 
 using namespace Tribody;
 
@@ -182,6 +184,24 @@ namespace
     state.counters["iterations"] = s.report.n_iterations;
   }
 
+  /// For others to solve on: doubles, the number of nodes n, then positions (x,
+  /// y of each node), normals, weights, and the compliance.
+  void
+  write_compliance(const std::string &file_name, const unsigned int n_nodes)
+  {
+    const Joint  &joint = round_joint(n_nodes);
+    const double  n     = n_nodes;
+    std::ofstream file(file_name, std::ios::binary);
+    const auto    write = [&](const double *values, const Eigen::Index size) {
+      file.write(reinterpret_cast<const char *>(values), size * sizeof(double));
+    };
+    write(&n, 1);
+    write(joint.surface.positions.data(), joint.surface.positions.size());
+    write(joint.surface.normals.data(), joint.surface.normals.size());
+    write(joint.surface.weights.data(), joint.surface.weights.size());
+    write(joint.compliance.data(), joint.compliance.size());
+  }
+
   void
   bore_nodes(benchmark::internal::Benchmark *benchmark)
   {
@@ -204,5 +224,9 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
+  // --write_compliance FILE NODES instead of measuring.
+  if (argc == 4 && std::string(argv[1]) == "--write_compliance")
+    write_compliance(argv[2], std::stoi(argv[3]));
+  else
+    benchmark::RunSpecifiedBenchmarks();
 }
