@@ -26,7 +26,10 @@ namespace Tribody
         std::vector<std::string> bodies;
         std::vector<std::string> joints;
         std::vector<std::string> springs;
+        std::vector<std::string> rotational_springs;
         std::vector<std::string> drivers;
+        std::vector<std::string> forces;
+        std::vector<std::string> torques;
         std::vector<std::string> materials;
         std::vector<std::string> bushings;
 
@@ -50,11 +53,27 @@ namespace Tribody
                                 "Names of the springs; each has a subsection "
                                 "'Spring <name>'.");
           Parameters::add_names(prm,
+                                "Rotational springs",
+                                rotational_springs,
+                                "Names of the rotational springs; each has a "
+                                "subsection 'Rotational spring <name>'.");
+          Parameters::add_names(prm,
                                 "Drivers",
                                 drivers,
                                 "Names of the drivers; each has a subsection "
                                 "'Driver <name>'. One turn of the first driver "
-                                "is a cycle.");
+                                "is a cycle, unless 'Dynamics/Cycle duration' "
+                                "is set.");
+          Parameters::add_names(prm,
+                                "Forces",
+                                forces,
+                                "Names of the given forces; each has a "
+                                "subsection 'Force <name>'.");
+          Parameters::add_names(prm,
+                                "Torques",
+                                torques,
+                                "Names of the given torques; each has a "
+                                "subsection 'Torque <name>'.");
           Parameters::add_names(prm,
                                 "Materials",
                                 materials,
@@ -88,7 +107,10 @@ namespace Tribody
         return {list("Bodies"),
                 list("Joints"),
                 list("Springs"),
+                list("Rotational springs"),
                 list("Drivers"),
+                list("Forces"),
+                list("Torques"),
                 list("Materials"),
                 list("Bushings")};
       }
@@ -135,8 +157,15 @@ namespace Tribody
           make_named<Multibody::JointParameters>(names.joints);
         parameters.mechanism.springs =
           make_named<Multibody::SpringParameters>(names.springs);
+        parameters.mechanism.rotational_springs =
+          make_named<Multibody::RotationalSpringParameters>(
+            names.rotational_springs);
         parameters.mechanism.drivers =
           make_named<Multibody::DriverParameters>(names.drivers);
+        parameters.mechanism.forces =
+          make_named<Multibody::ForceParameters>(names.forces);
+        parameters.mechanism.torques =
+          make_named<Multibody::TorqueParameters>(names.torques);
         parameters.materials = make_named<Material>(names.materials);
         parameters.bushings  = make_named<BushingParameters>(names.bushings);
 
@@ -164,7 +193,12 @@ namespace Tribody
         declare_each(prm, "Body", parameters.mechanism.bodies);
         declare_each(prm, "Joint", parameters.mechanism.joints);
         declare_each(prm, "Spring", parameters.mechanism.springs);
+        declare_each(prm,
+                     "Rotational spring",
+                     parameters.mechanism.rotational_springs);
         declare_each(prm, "Driver", parameters.mechanism.drivers);
+        declare_each(prm, "Force", parameters.mechanism.forces);
+        declare_each(prm, "Torque", parameters.mechanism.torques);
         declare_each(prm, "Material", parameters.materials);
         declare_each(prm, "Bushing", parameters.bushings);
 
@@ -263,14 +297,38 @@ namespace Tribody
                                      "'" + bushing.name +
                                        "' is not the name of a revolute "
                                        "joint"));
-            AssertThrow(parameters.cycles == 0 || joint->has_clearance(),
-                        ExcParameter("Joint " + joint->name + "/Model",
-                                     "'" + joint->model +
-                                       "' knows no contact, so the bushing "
-                                       "cannot wear; write 'clearance', or "
-                                       "'set Cycles = 0' for the dynamics "
-                                       "alone"));
+            AssertThrow(
+              parameters.cycles == 0 || joint->has_clearance(),
+              ExcParameter("Joint " + joint->name + "/Model",
+                           "'" + joint->model +
+                             "' knows no contact pressure, so the bushing "
+                             "cannot wear; write 'clearance', or "
+                             "'set Cycles = 0' for the dynamics "
+                             "alone"));
           }
+      }
+
+
+
+      // A driver has a speed, or a time function with its amplitude, or both.
+      template <typename Require>
+      void
+      check_required_of_driver(const Require                     &require,
+                               const ParameterFile               &file,
+                               const Multibody::DriverParameters &driver)
+      {
+        const std::string subsection = "Driver " + driver.name;
+        if (driver.is_angle())
+          require(subsection, {"Body"});
+        else
+          require(subsection,
+                  {"First marker", "Second marker", "Initial distance"});
+        if (file.is_set(subsection + "/Time function"))
+          require(subsection,
+                  {driver.is_angle() ? "Angle amplitude"
+                                     : "Distance amplitude"});
+        else
+          require(subsection, {driver.is_angle() ? "Speed" : "Distance speed"});
       }
 
 
@@ -291,9 +349,13 @@ namespace Tribody
                                        name + " = ...'"));
         };
 
+        // A kinematic analysis does not use masses.
         for (const auto &body : parameters.mechanism.bodies)
-          require("Body " + body.name,
-                  {"Mass", "Moment of inertia", "Markers"});
+          if (parameters.dynamics.analysis == "kinematic")
+            require("Body " + body.name, {"Markers"});
+          else
+            require("Body " + body.name,
+                    {"Mass", "Moment of inertia", "Markers"});
         for (const auto &joint : parameters.mechanism.joints)
           {
             const std::string subsection = "Joint " + joint.name;
@@ -301,19 +363,24 @@ namespace Tribody
               require(subsection, {"Pin marker", "Bushing marker"});
             else
               require(subsection, {"First marker", "Second marker"});
+            if (joint.has_gap())
+              require(subsection, {"Pin radius", "Bushing radius"});
             if (joint.has_clearance())
-              require(subsection,
-                      {"Pin radius",
-                       "Bushing radius",
-                       "Pin material",
-                       "Bushing material"});
+              require(subsection, {"Pin material", "Bushing material"});
           }
         for (const auto &spring : parameters.mechanism.springs)
           require(
             "Spring " + spring.name,
             {"First marker", "Second marker", "Stiffness", "Reference length"});
+        for (const auto &spring : parameters.mechanism.rotational_springs)
+          require("Rotational spring " + spring.name,
+                  {"Body", "Stiffness", "Reference angle"});
         for (const auto &driver : parameters.mechanism.drivers)
-          require("Driver " + driver.name, {"Body", "Speed"});
+          check_required_of_driver(require, file, driver);
+        for (const auto &force : parameters.mechanism.forces)
+          require("Force " + force.name, {"Marker", "Vector"});
+        for (const auto &torque : parameters.mechanism.torques)
+          require("Torque " + torque.name, {"Body", "Torque"});
         for (const Material &material : parameters.materials)
           require("Material " + material.name,
                   {"Young's modulus", "Poisson's ratio", "Density"});
@@ -464,9 +531,16 @@ namespace Tribody
     std::string
     parameter_template()
     {
-      CaseParameters parameters;
-      Names          names{
-        {"body"}, {"joint"}, {"spring"}, {"driver"}, {"steel"}, {"joint"}};
+      CaseParameters           parameters;
+      Names                    names{{"body"},
+                  {"joint"},
+                  {"spring"},
+                  {"rotational_spring"},
+                  {"driver"},
+                  {"force"},
+                  {"torque"},
+                  {"steel"},
+                  {"joint"}};
       dealii::ParameterHandler prm;
       declare(prm, parameters, names);
       return print(prm);

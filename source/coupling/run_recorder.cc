@@ -1,7 +1,10 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/units.h>
+#include <tribody/coupling/cycle_tables.h>
+#include <tribody/coupling/mechanism_picture.h>
 #include <tribody/coupling/run_recorder.h>
 #include <tribody/output/bushing_vtu.h>
+#include <tribody/output/mechanism_vtu.h>
 
 #include <cmath>
 #include <fstream>
@@ -16,16 +19,6 @@ namespace Tribody
     {
       // Progress lines: not more often than this [s].
       constexpr double progress_interval = 2.;
-
-      // In [0, 360).
-      double
-      positive_degrees(const double radians)
-      {
-        const double angle = std::fmod(Units::degrees(radians), 360.);
-        return angle < 0. ? angle + 360. : angle;
-      }
-
-
 
       double
       seconds_since(const std::chrono::steady_clock::time_point &start)
@@ -48,88 +41,17 @@ namespace Tribody
             << whole % 60;
         return out.str();
       }
-
-
-
-      void
-      write_clearance_joint(const std::string               &file_name,
-                            const Multibody::DutyCycle      &cycle,
-                            const Multibody::JointDutyCycle &joint)
-      {
-        TableWriter table(
-          file_name,
-          {"Revolute joint '" + joint.name +
-             "' with clearance: one settled cycle.",
-           "Forces act on the body with the bushing: normal_force along the "
-           "contact direction (from the bushing's centre to the contact "
-           "point), "
-           "friction_force along that direction turned by +90 deg;",
-           "force_x, force_y: their sum in global axes. contact_angle_bushing "
-           "and contact_angle_pin: the contact direction in the frames of the "
-           "two bodies, counter-clockwise.",
-           "state: 0 free, 1 impact, 2 following."},
-          {"time [s]",
-           "phase [deg]",
-           "normal_force [N]",
-           "friction_force [N]",
-           "contact_angle_bushing [deg]",
-           "contact_angle_pin [deg]",
-           "sliding_increment [m]",
-           "eccentricity [m]",
-           "penetration [m]",
-           "state [-]",
-           "force_x [N]",
-           "force_y [N]",
-           "force [N]"});
-        for (Eigen::Index j = 0; j < cycle.time.size(); ++j)
-          table.write_row({cycle.time[j],
-                           cycle.phase[j],
-                           joint.normal_force[j],
-                           joint.friction_force[j],
-                           positive_degrees(joint.contact_angle_bushing[j]),
-                           positive_degrees(joint.contact_angle_pin[j]),
-                           joint.sliding_increment[j],
-                           joint.eccentricity[j],
-                           joint.penetration[j],
-                           static_cast<double>(joint.state[j]),
-                           joint.force_x[j],
-                           joint.force_y[j],
-                           std::hypot(joint.force_x[j], joint.force_y[j])});
-      }
-
-
-
-      void
-      write_ideal_joint(const std::string               &file_name,
-                        const Multibody::DutyCycle      &cycle,
-                        const Multibody::JointDutyCycle &joint)
-      {
-        TableWriter table(file_name,
-                          {"Joint '" + joint.name +
-                             "' without clearance: one settled cycle.",
-                           "Force of the pin (first body) on the bushing "
-                           "(second body), in global axes."},
-                          {"time [s]",
-                           "phase [deg]",
-                           "force_x [N]",
-                           "force_y [N]",
-                           "force [N]"});
-        for (Eigen::Index j = 0; j < cycle.time.size(); ++j)
-          table.write_row({cycle.time[j],
-                           cycle.phase[j],
-                           joint.force_x[j],
-                           joint.force_y[j],
-                           std::hypot(joint.force_x[j], joint.force_y[j])});
-      }
     } // namespace
 
 
 
-    RunRecorder::RunRecorder(const CaseParameters    &parameters,
-                             Output::OutputDirectory &directory,
-                             Console                 &console,
-                             const bool               is_first_rank)
+    RunRecorder::RunRecorder(const CaseParameters       &parameters,
+                             const Multibody::Mechanism &mechanism,
+                             Output::OutputDirectory    &directory,
+                             Console                    &console,
+                             const bool                  is_first_rank)
       : parameters(parameters)
+      , mechanism(mechanism)
       , directory(directory)
       , console(console)
       , writes(is_first_rank)
@@ -207,7 +129,11 @@ namespace Tribody
       if (!writes || last_output_at == state.cycles ||
           state.contacts.size() != bushings.size())
         return;
-      write_duty_cycles(state.duty_cycle);
+      write_cycle_tables(directory,
+                         parameters.mechanism,
+                         state.duty_cycle,
+                         n_outputs);
+      write_mechanism(state.duty_cycle);
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         {
@@ -283,17 +209,30 @@ namespace Tribody
 
 
     void
-    RunRecorder::write_duty_cycles(const Multibody::DutyCycle &cycle) const
+    RunRecorder::write_mechanism(const Multibody::DutyCycle &cycle) const
     {
-      for (const Multibody::JointDutyCycle &joint : cycle.joints)
+      // More would only make the film slower.
+      constexpr Eigen::Index max_frames = 180;
+
+      const MechanismPicture picture(mechanism, cycle);
+      const Eigen::Index     n      = cycle.time.size();
+      const Eigen::Index     stride = (n + max_frames - 1) / max_frames;
+      std::vector<std::pair<double, std::string>> frames;
+      for (Eigen::Index s = 0; s < n; s += stride)
         {
-          const std::string file_name = directory.joint_file(
-            joint.name, Output::numbered_name("duty_cycle", n_outputs, "csv"));
-          if (joint.has_clearance)
-            write_clearance_joint(file_name, cycle, joint);
-          else
-            write_ideal_joint(file_name, cycle, joint);
+          const std::string name =
+            Output::numbered_name("mechanism", frames.size(), "vtu");
+          Output::write_mechanism_vtu(directory.joint_file("mechanism", name),
+                                      picture.draw(s));
+          frames.emplace_back(cycle.time[s], "mechanism/" + name);
         }
+      Output::write_pvd(directory.file("mechanism.pvd"), frames);
+
+      const std::string file_name =
+        directory.joint_file("mechanism", "legend.txt");
+      std::ofstream file(file_name);
+      file << picture.legend() << std::flush;
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
     }
 
 

@@ -102,6 +102,61 @@ namespace Tribody
 
 
 
+      Output::DynamicsSummary
+      summarise_dynamics(const Multibody::DutyCycle &cycle)
+      {
+        Output::DynamicsSummary summary;
+        summary.settling_cycles  = cycle.settling.n_cycles;
+        summary.averaged_cycles  = cycle.settling.n_averaged_cycles;
+        summary.n_steps          = cycle.statistics.n_steps;
+        summary.n_steps_in_cycle = cycle.n_steps_in_cycle;
+        summary.n_residuals      = cycle.statistics.n_residuals;
+        summary.n_jacobians      = cycle.statistics.n_jacobians;
+        if (cycle.statistics.n_starts > 0)
+          summary.n_restarts = cycle.statistics.n_starts - 1;
+        const Multibody::EnergyRecord &energy = cycle.energy.cycle;
+        summary.has_energy                    = energy.has_work;
+        summary.work                          = energy.work();
+        summary.dissipated                    = energy.dissipated();
+        summary.damper_loss                   = energy.damper_loss;
+        summary.energy_balance_relative_error = cycle.energy.relative_error;
+        summary.energy_balance_relative_error_since_start =
+          cycle.energy.relative_error_since_start;
+        return summary;
+      }
+
+
+
+      // What the cycle tells of one joint, without its bushing.
+      Output::JointSummary
+      summarise_joint(const Multibody::JointDutyCycle &cycle,
+                      const Eigen::VectorXd           &phase)
+      {
+        using Multibody::ContactState;
+        Output::JointSummary joint;
+        joint.name                   = cycle.name;
+        joint.has_clearance          = cycle.has_clearance;
+        joint.peak_force             = cycle.peak_force();
+        joint.peak_phase             = phase[cycle.peak_sample()];
+        joint.mean_force             = cycle.mean_force();
+        joint.mean_peak_force        = cycle.mean_peak_force;
+        joint.peak_force_deviation   = cycle.peak_force_deviation;
+        joint.mean_force_deviation   = cycle.mean_force_deviation;
+        joint.residual_ringing       = cycle.residual_ringing;
+        joint.peak_force_since_start = cycle.peak_force_since_start;
+        joint.share_free             = cycle.share_of(ContactState::free);
+        joint.share_impact           = cycle.share_of(ContactState::impact);
+        joint.share_following        = cycle.share_of(ContactState::following);
+        joint.n_onsets               = cycle.n_onsets;
+        joint.n_losses               = cycle.n_losses;
+        for (const Multibody::ContactInterval &contact : cycle.contacts)
+          joint.max_approach_speed =
+            std::max(joint.max_approach_speed, contact.approach_speed);
+        return joint;
+      }
+
+
+
       // "+0.3 %": how much @p value differs from @p reference.
       std::string
       difference(const double value, const double reference)
@@ -156,6 +211,108 @@ namespace Tribody
             << ", losses of contact in the recorded cycles "
             << joint.contact_losses << std::endl;
       }
+
+
+
+      // A table of the joints, and what the motion has cost.
+      void
+      print_dynamics(std::ostream &out, const Output::RunSummary &summary)
+      {
+        std::size_t width = 6;
+        for (const Output::JointSummary &joint : summary.joints)
+          width = std::max(width, joint.name.size());
+        const auto cell = [&out](const auto &value, const int columns) {
+          out << std::setw(columns) << value;
+        };
+        out << "  " << std::left << std::setw(width) << "joint" << std::right;
+        for (const char *title :
+             {"peak [N]", "at [deg]", "mean [N]", "ringing [%]"})
+          cell(title, 13);
+        out << "   share of free flight, impacts, following [%]" << std::endl;
+        for (const Output::JointSummary &joint : summary.joints)
+          {
+            out << "  " << std::left << std::setw(width) << joint.name
+                << std::right << std::setprecision(5);
+            cell(joint.peak_force, 13);
+            cell(joint.peak_phase, 13);
+            cell(joint.mean_force, 13);
+            out << std::setprecision(2);
+            cell(100. * joint.residual_ringing, 13);
+            if (joint.has_clearance)
+              {
+                out << std::fixed;
+                cell(100. * joint.share_free, 10);
+                cell(100. * joint.share_impact, 8);
+                cell(100. * joint.share_following, 8);
+                out << std::defaultfloat << std::setprecision(3) << "; "
+                    << joint.n_onsets << " onset(s)";
+                if (joint.n_onsets > 0)
+                  out << " at up to " << 1e3 * joint.max_approach_speed
+                      << " mm/s";
+                out << ", " << joint.n_losses << " loss(es)";
+              }
+            out << std::endl;
+          }
+        const Output::DynamicsSummary &dynamics = summary.dynamics;
+        if (dynamics.n_steps > 0)
+          out << "  motion: " << dynamics.settling_cycles
+              << " cycles, forces repeat to " << std::setprecision(2)
+              << 100. * summary.settling_difference << " %; "
+              << dynamics.n_steps << " steps (" << dynamics.n_steps_in_cycle
+              << " in the recorded cycle), " << dynamics.n_residuals
+              << " residual and " << dynamics.n_jacobians
+              << " Jacobian evaluations, " << dynamics.n_restarts << " restarts"
+              << std::endl;
+        if (dynamics.averaged_cycles > 1)
+          {
+            out << "  averages and standard deviations over "
+                << dynamics.averaged_cycles << " cycles";
+            for (const Output::JointSummary &joint : summary.joints)
+              out << "; " << joint.name << ": largest force "
+                  << std::setprecision(4) << joint.mean_peak_force << " +- "
+                  << std::setprecision(2) << joint.peak_force_deviation
+                  << " N, mean " << std::setprecision(4) << joint.mean_force
+                  << " +- " << std::setprecision(2)
+                  << joint.mean_force_deviation << " N";
+            out << std::endl;
+          }
+        if (dynamics.has_energy)
+          {
+            out << std::setprecision(5) << "  energy in the recorded cycle"
+                << (dynamics.averaged_cycles > 1 ? "s" : "") << ": work "
+                << dynamics.work << " J, dissipated " << dynamics.dissipated
+                << " J";
+            for (const Output::JointSummary &joint : summary.joints)
+              if (joint.has_clearance)
+                out << ", " << joint.name << ": " << joint.friction_loss
+                    << " J by friction, " << joint.normal_loss
+                    << " J by hysteresis";
+            out << std::setprecision(2) << "; balance right to "
+                << dynamics.energy_balance_relative_error
+                << ", since the start "
+                << dynamics.energy_balance_relative_error_since_start
+                << std::endl;
+          }
+      }
+
+
+
+      void
+      print_joints(std::ostream &out, const Output::RunSummary &summary)
+      {
+        for (const Output::JointSummary &joint : summary.joints)
+          {
+            out << "  " << joint.name << ": force in the cycle, largest "
+                << std::setprecision(5) << joint.peak_force << " N, mean "
+                << joint.mean_force << " N";
+            if (joint.sliding_per_cycle > 0.)
+              out << "; sliding " << joint.sliding_per_cycle * 1e3
+                  << " mm per cycle";
+            out << std::endl;
+            if (joint.has_bushing)
+              print_bushing(out, joint);
+          }
+      }
     } // namespace
 
 
@@ -168,6 +325,7 @@ namespace Tribody
       Output::RunSummary summary;
       summary.case_name           = parameters.title;
       summary.cycles              = state.cycles;
+      summary.is_dynamics_only    = parameters.cycles == 0;
       summary.wear_steps          = state.counts.wear_steps;
       summary.rate_evaluations    = state.counts.rate_evaluations;
       summary.dynamics_cycles     = state.counts.dynamics_cycles;
@@ -177,15 +335,22 @@ namespace Tribody
       summary.settling_message    = state.settling_message;
       summary.settling_difference = state.duty_cycle.settling.repeat_difference;
 
+      summary.dynamics = summarise_dynamics(state.duty_cycle);
+
+      const Multibody::EnergyRecord &energy = state.duty_cycle.energy.cycle;
+      Eigen::Index                   n_clearance_joints = 0;
       for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
         {
           const Multibody::JointDutyCycle &cycle = state.duty_cycle.joints[j];
 
-          Output::JointSummary joint;
-          joint.name          = cycle.name;
-          joint.has_clearance = cycle.has_clearance;
-          joint.peak_force    = cycle.peak_force();
-          joint.mean_force    = cycle.mean_force();
+          Output::JointSummary joint =
+            summarise_joint(cycle, state.duty_cycle.phase);
+          if (cycle.has_clearance && energy.has_work)
+            {
+              joint.normal_loss   = energy.normal_loss[n_clearance_joints];
+              joint.friction_loss = energy.friction_loss[n_clearance_joints];
+            }
+          n_clearance_joints += cycle.has_clearance;
           if (cycle.has_clearance)
             joint.sliding_per_cycle = cycle.sliding_distance();
           if (cycle.has_clearance)
@@ -231,23 +396,18 @@ namespace Tribody
       const std::streamsize         precision = out.precision();
 
       out << std::endl
-          << "Results after " << std::lround(summary.cycles) << " cycles"
+          << (summary.is_dynamics_only
+                ? "Results of the dynamics"
+                : "Results after " +
+                    std::to_string(std::lround(summary.cycles)) + " cycles")
           << (summary.message.empty()
                 ? ""
                 : " (" + summary.status + ": " + summary.message + ")")
           << std::endl;
-      for (const Output::JointSummary &joint : summary.joints)
-        {
-          out << "  " << joint.name << ": force in the cycle, largest "
-              << std::setprecision(5) << joint.peak_force << " N, mean "
-              << joint.mean_force << " N";
-          if (joint.sliding_per_cycle > 0.)
-            out << "; sliding " << joint.sliding_per_cycle * 1e3
-                << " mm per cycle";
-          out << std::endl;
-          if (joint.has_bushing)
-            print_bushing(out, joint);
-        }
+      if (summary.is_dynamics_only)
+        print_dynamics(out, summary);
+      else
+        print_joints(out, summary);
       if (summary.wear_steps > 0)
         out << "  estimated error of the depth by the wear steps: "
             << std::setprecision(2)

@@ -38,6 +38,18 @@ namespace Tribody
 
 
 
+      // What 'Energy balance = without wear' means here.
+      Multibody::DynamicsParameters
+      make_dynamics_parameters(const CaseParameters &parameters)
+      {
+        Multibody::DynamicsParameters dynamics = parameters.dynamics;
+        if (dynamics.energy_balance == "without wear")
+          dynamics.energy_balance = parameters.cycles == 0 ? "always" : "never";
+        return dynamics;
+      }
+
+
+
       std::list<WearingBushing>
       make_bushings(const CaseParameters &parameters)
       {
@@ -63,7 +75,7 @@ namespace Tribody
               dealii::TimerOutput::never,
               dealii::TimerOutput::wall_times)
       , mechanism(parameters.mechanism)
-      , dynamics(mechanism, parameters.dynamics)
+      , dynamics(mechanism, make_dynamics_parameters(parameters))
       , bushings(make_bushings(parameters))
       , stop_conditions(bushings)
       , jump(make_jump(parameters.wear, bushings, stop_conditions))
@@ -105,6 +117,7 @@ namespace Tribody
     WearSimulation::run(Output::OutputDirectory &directory)
     {
       RunRecorder recorder(parameters,
+                           mechanism,
                            directory,
                            console,
                            dealii::Utilities::MPI::this_mpi_process(

@@ -4,21 +4,19 @@ namespace Tribody
 {
   namespace Multibody
   {
-    AngleDriver::AngleDriver(const std::string &description,
-                             const BodyPair    &bodies,
-                             const double       initial_angle,
-                             const double       speed)
+    AngleDriver::AngleDriver(const std::string  &description,
+                             const BodyPair     &bodies,
+                             const DriverMotion &motion)
       : Constraint(description, bodies, 1)
-      , initial_angle(initial_angle)
-      , speed(speed)
+      , motion(motion)
     {}
 
 
 
-    Eigen::Vector2d
+    Constraint::Values
     AngleDriver::value(const double t, const PairVector &q) const
     {
-      return {q(2) - q(5) - initial_angle - speed * t, 0.};
+      return (q(2) - q(5) - motion.value(t)) * Values::UnitX();
     }
 
 
@@ -36,24 +34,32 @@ namespace Tribody
 
     PairMatrix
     AngleDriver::weighted_hessian(const PairVector & /*q*/,
-                                  const Eigen::Vector2d & /*weights*/) const
+                                  const Values & /*weights*/) const
     {
       return PairMatrix::Zero();
     }
 
 
 
-    Eigen::Vector2d
-    AngleDriver::time_derivative(const double /*t*/) const
+    Constraint::Values
+    AngleDriver::time_derivative(const double t) const
     {
-      return {-speed, 0.};
+      return -motion.first_derivative(t) * Values::UnitX();
+    }
+
+
+
+    Constraint::Values
+    AngleDriver::second_time_derivative(const double t) const
+    {
+      return -motion.second_derivative(t) * Values::UnitX();
     }
 
 
 
     Eigen::Vector2d
     AngleDriver::reaction_force(const PairVector & /*q*/,
-                                const Eigen::Vector2d & /*multipliers*/) const
+                                const Values & /*multipliers*/) const
     {
       return Eigen::Vector2d::Zero();
     }

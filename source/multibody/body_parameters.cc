@@ -25,7 +25,13 @@ namespace Tribody
     void
     BodyParameters::add_parameters(dealii::ParameterHandler &prm)
     {
-      Parameters::add_quantity(prm, "Mass", mass, "kg", "Mass of the body.");
+      Parameters::add_quantity(
+        prm,
+        "Mass",
+        mass,
+        "kg",
+        "Mass of the body. It may be zero where joints tie the "
+        "body's motion to bodies with mass, and in a kinematic analysis.");
       Parameters::add_quantity(prm,
                                "Moment of inertia",
                                moment_of_inertia,
@@ -55,6 +61,22 @@ namespace Tribody
                                "counter-clockwise from the global one, "
                                "roughly.",
                                "deg");
+      Parameters::add_point(prm,
+                            "Initial velocity",
+                            initial_velocity,
+                            "m/s",
+                            "Velocity of the centre of mass at the start of "
+                            "the dynamics. The velocities of all bodies are "
+                            "changed as little as it takes to obey joints "
+                            "and drivers; without degrees of freedom these "
+                            "alone decide.");
+      Parameters::add_quantity(prm,
+                               "Initial angular velocity",
+                               initial_angular_velocity,
+                               "rad/s",
+                               "Angular velocity at the start, positive "
+                               "counter-clockwise, in the same sense.",
+                               "rpm");
     }
 
 
@@ -67,14 +89,14 @@ namespace Tribody
                   ExcParameter("Bodies",
                                "'ground' is the name of the frame that does "
                                "not move; choose another one"));
-      AssertThrow(mass > 0,
+      AssertThrow(mass >= 0,
                   ExcParameter(path + "/Mass",
-                               "must be positive, not " +
+                               "must be zero or positive, not " +
                                  Units::to_string(mass, "kg", "kg")));
-      AssertThrow(moment_of_inertia > 0,
+      AssertThrow(moment_of_inertia >= 0,
                   ExcParameter(
                     path + "/Moment of inertia",
-                    "must be positive, not " +
+                    "must be zero or positive, not " +
                       Units::to_string(moment_of_inertia, "kg m^2", "kg m^2")));
     }
   } // namespace Multibody

@@ -34,7 +34,8 @@ namespace Tribody
     ClearanceJoint::compute_contact(const PairVector       &q,
                                     const PairVector       &v,
                                     const ClearanceProfile &clearance,
-                                    const double approach_speed) const
+                                    const double            approach_speed,
+                                    const double friction_state) const
     {
       const Eigen::Vector2d a1 = turned(s_1, q(2)), a2 = turned(s_2, q(5));
       JointContact          contact;
@@ -70,11 +71,29 @@ namespace Tribody
                                                        approach_speed})
                                    .value;
           contact.tangential_force =
-            compute_friction_ratio(friction_law, contact.sliding_speed).value *
+            compute_friction_ratio(friction_law,
+                                   contact.sliding_speed,
+                                   friction_state)
+                .value *
               contact.normal_force +
             tangential_damping * contact.swing_speed;
         }
       return contact;
+    }
+
+
+
+    double
+    ClearanceJoint::compute_friction_state_rate(
+      const JointContact &contact,
+      const double        friction_state) const
+    {
+      return contact.penetration > 0
+               ? Multibody::compute_friction_state_rate(friction_law,
+                                                        contact.sliding_speed,
+                                                        friction_state)
+                   .value
+               : 0.;
     }
 
 
@@ -108,17 +127,24 @@ namespace Tribody
 
 
 
-    PairForce
+    ClearanceForce
     ClearanceJoint::compute_force_with_derivatives(
       const PairVector       &q,
       const PairVector       &v,
       const ClearanceProfile &clearance,
-      const double            approach_speed) const
+      const double            approach_speed,
+      const double            friction_state) const
     {
       const JointContact contact =
-        compute_contact(q, v, clearance, approach_speed);
+        compute_contact(q, v, clearance, approach_speed, friction_state);
+      ClearanceForce result;
       if (contact.penetration <= 0)
-        return {PairVector::Zero(), PairMatrix::Zero(), PairMatrix::Zero()};
+        {
+          result.force.setZero();
+          result.d_position.setZero();
+          result.d_velocity.setZero();
+          return result;
+        }
 
       // The chain rule, quantity by quantity as in compute_contact(); D_x is
       // the derivative of x, psi the angle of n.
@@ -164,9 +190,10 @@ namespace Tribody
                                                  {contact.penetration,
                                                     contact.penetration_rate,
                                                     approach_speed});
-      const FrictionRatio m =
-        compute_friction_ratio(friction_law, contact.sliding_speed);
-      const Row D_normal =
+      const FrictionRatio m = compute_friction_ratio(friction_law,
+                                                     contact.sliding_speed,
+                                                     friction_state);
+      const Row           D_normal =
         f.d_penetration * D_delta + f.d_penetration_rate * D_delta_t;
       const Row D_tangential = m.value * D_normal +
                                f.value * m.d_sliding_speed * D_sliding +
@@ -185,9 +212,29 @@ namespace Tribody
         perpendicular(a2).transpose() * D_b - a2.dot(b) * unit(phi_2) +
         contact.bushing_arm * D_tangential + contact.tangential_force * D_arm;
 
-      return {compute_force(q, contact),
-              D_force.leftCols<6>(),
-              D_force.rightCols<6>()};
+      result.force      = compute_force(q, contact);
+      result.d_position = D_force.leftCols<6>();
+      result.d_velocity = D_force.rightCols<6>();
+      if (friction_state_index >= 0)
+        {
+          // The state acts on the tangential force alone.
+          JointContact per_state;
+          per_state.direction        = n;
+          per_state.bushing_arm      = contact.bushing_arm;
+          per_state.tangential_force = f.value * m.d_state;
+          result.d_state             = compute_force(q, per_state);
+
+          const FrictionStateRate rate =
+            Multibody::compute_friction_state_rate(friction_law,
+                                                   contact.sliding_speed,
+                                                   friction_state);
+          result.rate_d_position =
+            rate.d_sliding_speed * D_sliding.leftCols<6>();
+          result.rate_d_velocity =
+            rate.d_sliding_speed * D_sliding.rightCols<6>();
+          result.rate_d_state = rate.d_state;
+        }
+      return result;
     }
   } // namespace Multibody
 } // namespace Tribody

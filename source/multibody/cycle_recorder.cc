@@ -1,4 +1,5 @@
 #include <tribody/multibody/cycle_recorder.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/equations_of_motion.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
@@ -43,7 +44,10 @@ namespace Tribody
       , times(2 * n_samples + 1)
       , q(equations.mechanism().n_coordinates(), 2 * n_samples + 1)
       , v(q.rows(), q.cols())
+      , a(q.rows(), q.cols())
       , forces(2 * equations.mechanism().joints().size(), 2 * n_samples + 1)
+      , reactions(2 * n_samples + 1)
+      , energies(2 * n_samples + 1)
       , contacts(equations.mechanism().clearance_joints().size(),
                  std::vector<JointContact>(2 * n_samples + 1))
     {}
@@ -51,53 +55,63 @@ namespace Tribody
 
 
     void
-    CycleRecorder::record(const unsigned int k, const MechanismState &state)
+    CycleRecorder::set_energy_account(const EnergyAccount *account)
     {
-      times(k) = state.time;
-      q.col(k) = state.q;
-      v.col(k) = state.v;
-      for (unsigned int j = 0; j < contacts.size(); ++j)
-        contacts[j][k] = equations.compute_contact(j,
-                                                   state.q,
-                                                   state.v,
-                                                   state.approach_speeds[j]);
-      record_forces(k, state);
+      energy_account = account;
     }
 
 
 
     void
-    CycleRecorder::record_forces(const unsigned int    k,
-                                 const MechanismState &state)
+    CycleRecorder::record(const unsigned int       k,
+                          const MechanismState    &state,
+                          const EquationsOfMotion &present)
     {
-      const Mechanism &mechanism = equations.mechanism();
+      const Mechanism &mechanism = present.mechanism();
       Eigen::VectorXd  applied(mechanism.n_coordinates());
-      equations.assemble_forces(state.q,
-                                state.v,
-                                state.approach_speeds,
-                                applied);
-      // Not the multipliers of the integrator: those are outside its error
-      // test. These are exact for the given q and v.
-      const Accelerations result =
-        compute_accelerations(equations,
-                              state.time,
-                              ConstraintOffsets(mechanism.n_constraints()),
+      present.assemble_forces(state.time,
                               state.q,
                               state.v,
+                              state.approach_speeds,
+                              state.friction_states,
                               applied);
-      for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
+      // Not the multipliers of the integrator: those are outside its error
+      // test. These are exact for the given q and v.
+      record(k,
+             state,
+             compute_accelerations(present,
+                                   state.time,
+                                   ConstraintOffsets(mechanism.n_constraints()),
+                                   state.q,
+                                   state.v,
+                                   applied),
+             present);
+    }
+
+
+
+    void
+    CycleRecorder::record(const unsigned int       k,
+                          const MechanismState    &state,
+                          const Accelerations     &accelerations,
+                          const EquationsOfMotion &present)
+    {
+      times(k) = state.time;
+      q.col(k) = state.q;
+      v.col(k) = state.v;
+      a.col(k) = accelerations.a;
+      for (unsigned int j = 0; j < contacts.size(); ++j)
+        contacts[j][k] = equations.compute_contact(j, state);
+      reactions[k] = compute_reactions(present, state, accelerations);
+      for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
+        forces.col(k).segment<2>(2 * j) = reactions[k].joints.col(j).head<2>();
+      if (energy_account != nullptr)
+        energies[k] = energy_account->now();
+      else
         {
-          const JointEntry &joint = mechanism.joints()[j];
-          if (joint.has_clearance)
-            forces.col(k).segment<2>(2 * j) = contacts[joint.index][k].force();
-          else
-            {
-              const auto &[constraint, row] =
-                mechanism.constraints()[joint.index];
-              forces.col(k).segment<2>(2 * j) =
-                constraint->reaction_force(constraint->bodies.gather(state.q),
-                                           result.multipliers.segment<2>(row));
-            }
+          const Energy energy   = equations.compute_energy(state.q, state.v);
+          energies[k].kinetic   = energy.kinetic;
+          energies[k].potential = energy.potential;
         }
     }
 
@@ -109,7 +123,10 @@ namespace Tribody
       times.swap(other.times);
       q.swap(other.q);
       v.swap(other.v);
+      a.swap(other.a);
       forces.swap(other.forces);
+      reactions.swap(other.reactions);
+      energies.swap(other.energies);
       contacts.swap(other.contacts);
     }
 
@@ -181,6 +198,49 @@ namespace Tribody
 
 
     void
+    CycleRecorder::fill_rigid_clearance(const unsigned int joint,
+                                        JointDutyCycle    &result) const
+    {
+      const JointEntry &entry = equations.mechanism().joints()[joint];
+      // Where the force points; for a pin that flies, where e does.
+      fill_ideal(joint, result);
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          const unsigned int    k = 2 * s + 1;
+          const Eigen::Vector2d e =
+            entry.link->eccentricity(entry.bodies.gather(q.col(k)));
+          result.eccentricity(s) = e.norm();
+          result.penetration(s)  = e.norm() - entry.link->length;
+          if (result.normal_force(s) > 0)
+            continue;
+          const double angle = std::atan2(e.y(), e.x());
+          result.contact_angle_bushing(s) =
+            wrapped(angle - angle_of(entry.bodies.second, q, k));
+          result.contact_angle_pin(s) =
+            wrapped(angle - angle_of(entry.bodies.first, q, k));
+          if (entry.model == JointModel::flying)
+            result.state[s] = ContactState::free;
+        }
+    }
+
+
+
+    unsigned int
+    CycleRecorder::event_index(const unsigned int joint) const
+    {
+      const Mechanism  &mechanism = equations.mechanism();
+      const JointEntry &entry     = mechanism.joints()[joint];
+      if (entry.has_clearance)
+        return entry.index;
+      unsigned int k = 0;
+      while (mechanism.impact_joints()[k].joint != joint)
+        ++k;
+      return mechanism.clearance_joints().size() + k;
+    }
+
+
+
+    void
     CycleRecorder::fill_sliding(const unsigned int joint,
                                 JointDutyCycle    &result) const
     {
@@ -204,27 +264,43 @@ namespace Tribody
                                const std::vector<ContactEvent> &events,
                                JointDutyCycle                  &result) const
     {
-      const unsigned int index    = equations.mechanism().joints()[joint].index;
-      const double       interval = period / n_samples;
-      double             onset    = -std::numeric_limits<double>::infinity();
-      for (const ContactEvent &event : events)
+      const unsigned int index = event_index(joint);
+      const bool         is_in_contact_at_end =
+        equations.mechanism().joints()[joint].has_clearance
+                  ? contacts[index][2 * n_samples].penetration > 0
+                  : forces.col(2 * n_samples).segment<2>(2 * joint).norm() > 0;
+      const double interval = period / n_samples;
+      const double begin    = times(0);
+      const double end      = times(2 * n_samples);
+      result.contacts =
+        list_contacts(events,
+                      index,
+                      {begin, end, 0., interval, is_in_contact_at_end});
+      result.state_shares = {{1., 0., 0.}};
+      for (ContactInterval &contact : result.contacts)
         {
-          if (event.joint != index)
+          const double share =
+            (std::min(contact.loss, end) - std::max(contact.onset, begin)) /
+            (end - begin);
+          result.state_shares[0] -= share;
+          result.state_shares[static_cast<unsigned int>(contact.state)] +=
+            share;
+          result.n_onsets += contact.has_onset && contact.onset >= begin;
+          result.n_losses += contact.has_loss && contact.loss < end;
+          for (unsigned int k = 0; k < times.size() && !contact.has_loss; ++k)
+            if (times(k) >= contact.onset)
+              contact.peak_force =
+                std::max(contact.peak_force,
+                         forces.col(k).segment<2>(2 * joint).norm());
+          if (contact.state != ContactState::impact)
             continue;
-          const bool in_cycle =
-            event.time >= times(0) && event.time < times(2 * n_samples);
-          if (event.is_onset)
-            {
-              onset = event.time;
-              result.n_onsets += in_cycle;
-              continue;
-            }
-          result.n_losses += in_cycle;
-          if (event.time - onset >= interval)
-            continue;
-          // At most one sample lies in such a short contact.
-          const double s = std::ceil((onset - times(1)) / interval);
-          if (s >= 0 && s < n_samples && times(1) + s * interval <= event.time)
+          // At most one sample lies in such a short contact. One without
+          // duration counts for the sample whose interval it is in.
+          const bool   is_instant = (contact.loss == contact.onset);
+          const double place      = (contact.onset - times(1)) / interval;
+          const double s = is_instant ? std::round(place) : std::ceil(place);
+          if (s >= 0 && s < n_samples &&
+              (is_instant || times(1) + s * interval <= contact.loss))
             result.state[static_cast<unsigned int>(s)] = ContactState::impact;
         }
     }
@@ -248,6 +324,116 @@ namespace Tribody
 
 
 
+    JointDutyCycle
+    CycleRecorder::make_joint(const unsigned int               j,
+                              const std::vector<ContactEvent> &events) const
+    {
+      const JointEntry     &entry = equations.mechanism().joints()[j];
+      const Eigen::VectorXd zero  = Eigen::VectorXd::Zero(n_samples);
+      JointDutyCycle        joint;
+      joint.name             = entry.name;
+      joint.is_revolute      = entry.is_revolute;
+      joint.has_clearance    = entry.has_clearance;
+      joint.residual_ringing = compute_ringing(j);
+      for (Eigen::VectorXd *values : {&joint.force_x,
+                                      &joint.force_y,
+                                      &joint.moment,
+                                      &joint.point_x,
+                                      &joint.point_y,
+                                      &joint.normal_force,
+                                      &joint.friction_force,
+                                      &joint.contact_angle_bushing,
+                                      &joint.contact_angle_pin,
+                                      &joint.sliding_increment,
+                                      &joint.eccentricity,
+                                      &joint.penetration})
+        *values = zero;
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          const Reactions &r = reactions[2 * s + 1];
+          joint.force_x(s)   = r.joints(0, j);
+          joint.force_y(s)   = r.joints(1, j);
+          joint.moment(s)    = r.joints(2, j);
+          joint.point_x(s)   = r.joint_points(0, j);
+          joint.point_y(s)   = r.joint_points(1, j);
+        }
+      joint.state.assign(n_samples, ContactState::following);
+      if (entry.is_revolute)
+        fill_sliding(j, joint);
+      if (entry.has_clearance)
+        {
+          fill_contact(j, joint);
+          fill_events(j, events, joint);
+        }
+      else if (entry.link != nullptr)
+        {
+          joint.has_clearance = true;
+          fill_rigid_clearance(j, joint);
+          if (entry.model == JointModel::flying)
+            fill_events(j, events, joint);
+        }
+      else if (entry.is_revolute)
+        fill_ideal(j, joint);
+      return joint;
+    }
+
+
+
+    std::vector<DriverDutyCycle>
+    CycleRecorder::make_drivers() const
+    {
+      std::vector<DriverDutyCycle> drivers;
+      for (const auto &parameters : equations.mechanism().parameters().drivers)
+        {
+          const unsigned int d = drivers.size();
+          DriverDutyCycle    driver;
+          driver.name = parameters.name;
+          for (Eigen::VectorXd *values : {&driver.force_x,
+                                          &driver.force_y,
+                                          &driver.moment,
+                                          &driver.power})
+            values->resize(n_samples);
+          for (unsigned int s = 0; s < n_samples; ++s)
+            {
+              const Reactions &r = reactions[2 * s + 1];
+              driver.force_x(s)  = r.drivers(0, d);
+              driver.force_y(s)  = r.drivers(1, d);
+              driver.moment(s)   = r.drivers(2, d);
+              driver.power(s)    = r.driver_powers(d);
+            }
+          drivers.push_back(driver);
+        }
+      return drivers;
+    }
+
+
+
+    EnergyHistory
+    CycleRecorder::make_energy() const
+    {
+      EnergyHistory             history;
+      std::vector<EnergyRecord> changes;
+      for (const EnergyRecord &record : energies)
+        changes.push_back(record.since(energies.front()));
+      history.kinetic.resize(n_samples);
+      history.potential.resize(n_samples);
+      for (unsigned int s = 0; s < n_samples; ++s)
+        {
+          history.kinetic(s)   = energies[2 * s + 1].kinetic;
+          history.potential(s) = energies[2 * s + 1].potential;
+          history.samples.push_back(changes[2 * s + 1]);
+        }
+      history.cycle = changes.back();
+      if (energy_account != nullptr)
+        {
+          history.relative_error             = balance_relative_error(changes);
+          history.relative_error_since_start = energy_account->relative_error();
+        }
+      return history;
+    }
+
+
+
     DutyCycle
     CycleRecorder::make_duty_cycle(
       const std::vector<ContactEvent> &events) const
@@ -263,41 +449,13 @@ namespace Tribody
       cycle.time   = at_samples(times.transpose()).transpose();
       cycle.phase =
         Eigen::VectorXd::LinSpaced(n_samples, 0., 360. - 360. / n_samples);
-      cycle.coordinates = at_samples(q);
-      cycle.velocities  = at_samples(v);
-
-      const Eigen::MatrixXd force_samples = at_samples(forces);
+      cycle.coordinates   = at_samples(q);
+      cycle.velocities    = at_samples(v);
+      cycle.accelerations = at_samples(a);
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
-        {
-          const JointEntry     &entry = equations.mechanism().joints()[j];
-          const Eigen::VectorXd zero  = Eigen::VectorXd::Zero(n_samples);
-          JointDutyCycle        joint;
-          joint.name             = entry.name;
-          joint.is_revolute      = entry.is_revolute;
-          joint.has_clearance    = entry.has_clearance;
-          joint.force_x          = force_samples.row(2 * j);
-          joint.force_y          = force_samples.row(2 * j + 1);
-          joint.residual_ringing = compute_ringing(j);
-          for (Eigen::VectorXd *values : {&joint.normal_force,
-                                          &joint.friction_force,
-                                          &joint.contact_angle_bushing,
-                                          &joint.contact_angle_pin,
-                                          &joint.sliding_increment,
-                                          &joint.eccentricity,
-                                          &joint.penetration})
-            *values = zero;
-          joint.state.assign(n_samples, ContactState::following);
-          if (entry.is_revolute)
-            fill_sliding(j, joint);
-          if (entry.has_clearance)
-            {
-              fill_contact(j, joint);
-              fill_events(j, events, joint);
-            }
-          else if (entry.is_revolute)
-            fill_ideal(j, joint);
-          cycle.joints.push_back(joint);
-        }
+        cycle.joints.push_back(make_joint(j, events));
+      cycle.drivers = make_drivers();
+      cycle.energy  = make_energy();
       return cycle;
     }
   } // namespace Multibody

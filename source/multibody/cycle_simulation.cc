@@ -2,10 +2,12 @@
 #include <tribody/multibody/cycle_recorder.h>
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/energy_account.h>
+#include <tribody/multibody/intermittent_motion.h>
 #include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/motion_integrator.h>
 #include <tribody/multibody/significant_digits.h>
 #include <tribody/multibody/slow_motion_start.h>
+#include <tribody/multibody/static_equilibrium.h>
 
 #include <algorithm>
 
@@ -13,25 +15,81 @@ namespace Tribody
 {
   namespace Multibody
   {
+    namespace
+    {
+      double
+      cycle_duration(const Mechanism          &mechanism,
+                     const DynamicsParameters &parameters)
+      {
+        if (parameters.cycle_duration > 0)
+          return parameters.cycle_duration;
+        // Equilibrium knows time only by what the drivers prescribe.
+        if (parameters.analysis == "static equilibrium" &&
+            !mechanism.has_turning_driver())
+          return 1.;
+        return mechanism.period();
+      }
+    } // namespace
+
+
+
     CycleSimulation::CycleSimulation(const Mechanism          &mechanism,
                                      const DynamicsParameters &parameters)
       : mechanism(mechanism)
       , parameters(parameters)
       , closed_mechanism(with_ideal_joints(mechanism.parameters()))
       , closed_equations(closed_mechanism, {})
-      , period(mechanism.period())
+      , period(cycle_duration(mechanism, parameters))
     {
       parameters.check();
-      const Eigen::VectorXd q = assemble_configuration(closed_equations, 0.);
-      check_redundancy(EquationsOfMotion(mechanism,
-                                         nominal_clearances(mechanism)),
-                       q);
-      if (!mechanism.clearance_joints().empty() &&
+      const EquationsOfMotion equations(mechanism,
+                                        nominal_clearances(mechanism));
+      const Eigen::VectorXd   q = assemble_configuration(closed_equations, 0.);
+      check_redundancy(equations, q);
+      if (!mechanism.has_only_ideal_joints() &&
           closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
+      check_analysis();
+      if (!is_kinematic() && parameters.analysis != "static equilibrium")
+        check_masses(equations, q);
       if (closed_mechanism.n_degrees_of_freedom() == 0)
-        check_full_cycle(closed_equations, 2 * parameters.samples_per_cycle);
-      scales = compute_reference_scales(mechanism, closed_equations);
+        check_full_cycle(closed_equations,
+                         period,
+                         2 * parameters.samples_per_cycle);
+      scales = compute_reference_scales(mechanism, closed_equations, period);
+    }
+
+
+
+    bool
+    CycleSimulation::is_kinematic() const
+    {
+      return parameters.analysis == "kinematic";
+    }
+
+
+
+    void
+    CycleSimulation::check_analysis() const
+    {
+      if (!is_kinematic() && parameters.analysis != "inverse dynamics")
+        return;
+      const std::string needs = "'" + parameters.analysis +
+                                "' needs a mechanism whose motion is given by "
+                                "joints and drivers, but ";
+      const int n = mechanism.n_degrees_of_freedom();
+      for (const JointEntry &joint : mechanism.joints())
+        AssertThrow(joint.is_ideal(),
+                    ExcParameter("Dynamics/Analysis",
+                                 needs + "joint '" + joint.name +
+                                   "' has clearance. Write 'set Model = ideal' "
+                                   "there, or 'dynamic'"));
+      AssertThrow(n == 0,
+                  ExcParameter("Dynamics/Analysis",
+                               needs + "this one has " + std::to_string(n) +
+                                 (n == 1 ? " degree" : " degrees") +
+                                 " of freedom left. Add as many drivers, or "
+                                 "write 'dynamic' or 'static equilibrium'"));
     }
 
 
@@ -42,11 +100,16 @@ namespace Tribody
     {
       const EquationsOfMotion equations(mechanism,
                                         collect_clearances(clearances));
+      if (parameters.analysis == "static equilibrium")
+        return run_statics(equations);
+      if (parameters.analysis == "dynamic")
+        return run_dynamics(equations);
       // A joint with clearance that adds to a mechanism without degrees of
       // freedom does not get here: it is redundant.
-      const bool is_kinematic = mechanism.n_degrees_of_freedom() == 0 &&
-                                mechanism.clearance_joints().empty();
-      return is_kinematic ? run_kinematics(equations) : run_dynamics(equations);
+      const bool moves_as_given = mechanism.n_degrees_of_freedom() == 0 &&
+                                  mechanism.has_only_ideal_joints();
+      return moves_as_given ? run_kinematics(equations)
+                            : run_dynamics(equations);
     }
 
 
@@ -75,6 +138,17 @@ namespace Tribody
 
 
 
+    double
+    CycleSimulation::record_time(const unsigned int k) const
+    {
+      const double t = (k - 1.) * period / (2 * parameters.samples_per_cycle);
+      const bool   repeats =
+        parameters.cycle_duration == 0 && mechanism.has_turning_driver();
+      return repeats ? t : std::max(0., t);
+    }
+
+
+
     DutyCycle
     CycleSimulation::run_kinematics(const EquationsOfMotion &equations) const
     {
@@ -82,19 +156,91 @@ namespace Tribody
       CycleRecorder           recorder(equations, n, period);
       const ConstraintOffsets none(mechanism.n_constraints());
       MechanismState          state;
-      state.q = assemble_configuration(equations, 0.);
+      state.q            = assemble_configuration(equations, 0.);
+      const auto move_to = [&](const double t) -> Accelerations {
+        state.time = t;
+        if (is_kinematic())
+          {
+            const SolverReport report =
+              solve_positions(equations, t, none, state.q);
+            AssertThrow(report.converged,
+                        ExcRun("At time " + significant_digits(t, 6) +
+                               " s the mechanism has no position near the one "
+                               "before: " +
+                               report.message));
+            state.v = compute_velocities(equations, t, none, state.q);
+            return {
+              compute_kinematic_accelerations(equations, t, state.q, state.v),
+              Eigen::VectorXd::Zero(mechanism.n_constraints())};
+          }
+        const Motion motion =
+          solve_motion(equations,
+                       t,
+                       none,
+                       Eigen::VectorXd::Zero(mechanism.n_coordinates()),
+                       state.q);
+        state.q = motion.q;
+        state.v = motion.v;
+        return {motion.a, motion.multipliers};
+      };
+      EnergyAccount account(equations);
+      const bool    keeps_account =
+        parameters.energy_balance == "always" && !is_kinematic();
+      if (keeps_account)
+        recorder.set_energy_account(&account);
       for (unsigned int k = 0; k <= 2 * n; ++k)
         {
-          state.time = (k - 1.) * period / (2 * n);
-          const Motion motion =
-            solve_motion(equations,
-                         state.time,
-                         none,
-                         Eigen::VectorXd::Zero(mechanism.n_coordinates()),
-                         state.q);
-          state.q = motion.q;
-          state.v = motion.v;
-          recorder.record(k, state);
+          const double   t = record_time(k);
+          MechanismState middle;
+          if (keeps_account && k > 0)
+            {
+              move_to((record_time(k - 1) + t) / 2);
+              middle = state;
+            }
+          const Accelerations accelerations = move_to(t);
+          if (keeps_account && k > 0)
+            account.advance(middle, state);
+          if (keeps_account && k == 0)
+            account.open(state);
+          recorder.record(k, state, accelerations);
+        }
+      DutyCycle cycle          = recorder.make_duty_cycle({});
+      cycle.settling.n_cycles  = 1;
+      cycle.settling.converged = true;
+      return cycle;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::run_statics(const EquationsOfMotion &equations) const
+    {
+      const unsigned int      n = parameters.samples_per_cycle;
+      CycleRecorder           recorder(equations, n, period);
+      const ConstraintOffsets none(mechanism.n_constraints());
+      const Eigen::VectorXd   zero =
+        Eigen::VectorXd::Zero(mechanism.n_coordinates());
+      MechanismState state;
+      state.q = assemble_configuration(closed_equations, 0.);
+      state.v = zero;
+      for (const ClearanceJoint &joint : mechanism.clearance_joints())
+        state.approach_speeds.push_back(joint.minimum_approach_speed);
+      for (unsigned int k = 0; k <= 2 * n; ++k)
+        {
+          state.time = record_time(k);
+          const SolverReport closed =
+            solve_positions(equations, state.time, none, state.q);
+          AssertThrow(closed.converged,
+                      ExcRun("At time " + significant_digits(state.time, 6) +
+                             " s there is no position:" +
+                             explain_end_of_motion(
+                               equations, state.time, state.time, state.q)));
+          const StaticEquilibrium equilibrium =
+            solve_static_equilibrium(equations, state.time, state.q);
+          AssertThrow(equilibrium.report.converged,
+                      ExcRun(equilibrium.report.message));
+          state.q = equilibrium.q;
+          recorder.record(k, state, {zero, equilibrium.multipliers});
         }
       DutyCycle cycle          = recorder.make_duty_cycle({});
       cycle.settling.n_cycles  = 1;
@@ -107,8 +253,21 @@ namespace Tribody
     StartingState
     CycleSimulation::compute_start(const EquationsOfMotion &equations) const
     {
-      StartingState start = compute_centred_start(closed_equations, 0.);
-      if (parameters.start == "centred" || mechanism.clearance_joints().empty())
+      StartingState start =
+        compute_centred_start(equations, closed_equations, 0.);
+      if (parameters.start == "static equilibrium")
+        {
+          const StaticEquilibrium equilibrium =
+            solve_static_equilibrium(equations, 0., start.state.q);
+          AssertThrow(equilibrium.report.converged,
+                      ExcRun("For 'Dynamics/Start = static equilibrium', " +
+                             equilibrium.report.message));
+          start.state.q = equilibrium.q;
+          start.state.v =
+            compute_initial_velocities(equations, 0., start.state.q);
+          return start;
+        }
+      if (parameters.start == "centred" || mechanism.has_only_ideal_joints())
         return start;
       if (closed_mechanism.n_degrees_of_freedom() != 0)
         {
@@ -144,20 +303,23 @@ namespace Tribody
 
 
     unsigned long
-    CycleSimulation::record_cycle(const double      begins,
-                                  MotionIntegrator &integrator,
-                                  CycleRecorder    &recorder) const
+    CycleSimulation::record_cycles(const double        begins,
+                                   const unsigned int  n_cycles,
+                                   IntermittentMotion &integrator,
+                                   CycleRecorder      &recorder) const
     {
       const unsigned int  n       = parameters.samples_per_cycle;
       const unsigned long n_steps = integrator.statistics().n_steps;
       unsigned long       n_taken = 0;
-      for (unsigned int k = 0; k <= 2 * n; ++k)
+      for (unsigned int k = 0; k <= 2 * n * n_cycles; ++k)
         {
           // The first cycle lacks the half interval before time 0.
-          const double t = std::max(0., begins + k * period / (2 * n));
-          recorder.record(k,
-                          integrator.advance_to(
-                            t, parameters.maximum_steps_per_cycle, n_taken));
+          const double          t = std::max(0., begins + k * period / (2 * n));
+          const MechanismState &state =
+            integrator.advance_to(t,
+                                  n_cycles * parameters.maximum_steps_per_cycle,
+                                  n_taken);
+          recorder.record(k, state, integrator.present_equations());
           n_taken = integrator.statistics().n_steps - n_steps;
         }
       return n_taken;
@@ -166,22 +328,30 @@ namespace Tribody
 
 
     SettlingReport
-    CycleSimulation::settle(MotionIntegrator &integrator,
-                            CycleRecorder    &recorder,
-                            unsigned long    &n_steps_in_cycle) const
+    CycleSimulation::settle(IntermittentMotion &integrator,
+                            CycleRecorder      &recorder,
+                            unsigned long      &n_steps_in_cycle) const
     {
-      const double  half_interval = period / (2 * parameters.samples_per_cycle);
-      CycleRecorder before(recorder);
-      record_cycle(-half_interval, integrator, before);
-
+      const double half_interval = period / (2 * parameters.samples_per_cycle);
       SettlingReport settling;
       settling.n_cycles = 1;
+      if (parameters.maximum_settling_cycles == 0)
+        {
+          n_steps_in_cycle =
+            record_cycles(-half_interval, 1, integrator, recorder);
+          settling.converged = true;
+          return settling;
+        }
+      CycleRecorder before(recorder);
+      record_cycles(-half_interval, 1, integrator, before);
+
       while (true)
         {
           n_steps_in_cycle =
-            record_cycle(settling.n_cycles * period - half_interval,
-                         integrator,
-                         recorder);
+            record_cycles(settling.n_cycles * period - half_interval,
+                          1,
+                          integrator,
+                          recorder);
           ++settling.n_cycles;
           settling.repeat_difference = recorder.difference(before);
           settling.converged =
@@ -197,34 +367,98 @@ namespace Tribody
 
 
     DutyCycle
+    CycleSimulation::record_average(const EquationsOfMotion &equations,
+                                    const EnergyAccount     *account,
+                                    const unsigned int       n_cycles_before,
+                                    IntermittentMotion      &integrator) const
+    {
+      const unsigned int n         = parameters.averaged_cycles;
+      const unsigned int n_samples = parameters.samples_per_cycle;
+      CycleRecorder      recorder(equations, n * n_samples, n * period);
+      recorder.set_energy_account(account);
+      const double begins = n_cycles_before * period - period / (2 * n_samples);
+      const unsigned long n_steps =
+        record_cycles(begins, n, integrator, recorder);
+      DutyCycle cycle = recorder.make_duty_cycle(integrator.events());
+      cycle.average_over(n);
+      cycle.n_steps_in_cycle = n_steps / n;
+      return cycle;
+    }
+
+
+
+    DutyCycle
     CycleSimulation::run_dynamics(const EquationsOfMotion &equations) const
     {
       MotionTolerances tolerances =
         make_tolerances(mechanism, scales, parameters);
       tolerances.maximum_step = period / parameters.samples_per_cycle;
-      MotionIntegrator    integrator(equations, tolerances);
+      IntermittentMotion  integrator(equations, tolerances);
       const StartingState start = compute_start(equations);
       integrator.start(start.state);
 
-      CycleRecorder  recorder(equations, parameters.samples_per_cycle, period);
-      unsigned long  n_steps_in_cycle = 0;
-      SettlingReport settling = settle(integrator, recorder, n_steps_in_cycle);
-      settling.message        = start.report.message;
+      CycleRecorder recorder(equations, parameters.samples_per_cycle, period);
+      EnergyAccount account(equations);
+      const bool    keeps_account = parameters.energy_balance == "always";
+      if (keeps_account)
+        {
+          integrator.set_energy_account(&account);
+          recorder.set_energy_account(&account);
+        }
+      SettlingReport settling;
+      DutyCycle      cycle;
+      try
+        {
+          unsigned long n_steps_in_cycle = 0;
+          settling = settle(integrator, recorder, n_steps_in_cycle);
+          if (settling.converged || parameters.averaged_cycles == 1)
+            {
+              cycle = recorder.make_duty_cycle(integrator.events());
+              cycle.n_steps_in_cycle = n_steps_in_cycle;
+            }
+          else
+            {
+              cycle                      = record_average(equations,
+                                     keeps_account ? &account : nullptr,
+                                     settling.n_cycles,
+                                     integrator);
+              settling.n_averaged_cycles = parameters.averaged_cycles;
+            }
+        }
+      catch (const ExcRun &error)
+        {
+          const MechanismState &last = integrator.state();
+          const std::string     reason =
+            explain_end_of_motion(equations,
+                                  last.time,
+                                  last.time +
+                                    period / parameters.samples_per_cycle,
+                                  last.q);
+          throw ExcRun(message_of(error) +
+                       (reason.empty() ? "" : " Note that" + reason + "."));
+        }
+      settling.message = start.report.message;
       if (!settling.converged)
-        settling.message +=
-          std::string(settling.message.empty() ? "" : "; ") +
-          "the joint forces still changed by " +
-          significant_digits(100 * settling.repeat_difference) +
-          " % of the largest one from cycle to cycle after " +
-          std::to_string(settling.n_cycles) + " cycles";
+        {
+          settling.message +=
+            std::string(settling.message.empty() ? "" : "; ") +
+            "the joint forces still changed by " +
+            significant_digits(100 * settling.repeat_difference) +
+            " % of the largest one from cycle to cycle after " +
+            std::to_string(settling.n_cycles) + " cycles";
+          if (settling.n_averaged_cycles > 1)
+            settling.message += "; the results are over the " +
+                                std::to_string(settling.n_averaged_cycles) +
+                                " cycles after that";
+        }
+      settling.n_cycles +=
+        settling.n_averaged_cycles > 1 ? settling.n_averaged_cycles : 0;
 
-      DutyCycle cycle        = recorder.make_duty_cycle(integrator.events());
       cycle.settling         = settling;
       cycle.constraint_drift = integrator.constraint_drift();
       cycle.statistics       = integrator.statistics();
-      cycle.n_steps_in_cycle = n_steps_in_cycle;
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)
-        if (cycle.joints[j].has_clearance)
+        if (mechanism.joints()[j].has_clearance)
           cycle.joints[j].peak_force_since_start =
             integrator.peak_forces()[mechanism.joints()[j].index];
         else

@@ -3,6 +3,7 @@
 #include <tribody/multibody/duty_cycle.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Tribody
 {
@@ -20,6 +21,16 @@ namespace Tribody
     JointDutyCycle::peak_force() const
     {
       return force().maxCoeff();
+    }
+
+
+
+    Eigen::Index
+    JointDutyCycle::peak_sample() const
+    {
+      Eigen::Index sample = 0;
+      force().maxCoeff(&sample);
+      return sample;
     }
 
 
@@ -53,9 +64,7 @@ namespace Tribody
     double
     JointDutyCycle::share_of(const ContactState wanted) const
     {
-      return static_cast<double>(
-               std::count(state.begin(), state.end(), wanted)) /
-             state.size();
+      return state_shares[static_cast<unsigned int>(wanted)];
     }
 
 
@@ -71,6 +80,37 @@ namespace Tribody
       AssertThrow(found != joints.end(),
                   dealii::ExcMessage("There is no joint '" + name + "'."));
       return *found;
+    }
+
+
+
+    void
+    DutyCycle::average_over(const unsigned int n)
+    {
+      settling.n_averaged_cycles = n;
+      period /= n;
+      for (Eigen::Index s = 0; s < phase.size(); ++s)
+        phase(s) = std::fmod(n * phase(s), 360.);
+      const Eigen::Index n_samples = phase.size() / n;
+      const auto         deviation = [](const Eigen::VectorXd &x) {
+        return std::sqrt((x.array() - x.mean()).square().sum() /
+                         std::max<Eigen::Index>(1, x.size() - 1));
+      };
+      for (JointDutyCycle &joint : joints)
+        {
+          joint.sliding_increment /= n;
+          const Eigen::VectorXd force = joint.force();
+          Eigen::VectorXd       peaks(n), means(n);
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const auto cycle = force.segment(k * n_samples, n_samples);
+              peaks(k)         = cycle.maxCoeff();
+              means(k)         = cycle.mean();
+            }
+          joint.mean_peak_force      = peaks.mean();
+          joint.peak_force_deviation = deviation(peaks);
+          joint.mean_force_deviation = deviation(means);
+        }
     }
   } // namespace Multibody
 } // namespace Tribody

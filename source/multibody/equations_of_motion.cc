@@ -2,11 +2,28 @@
 
 #include <tribody/multibody/equations_of_motion.h>
 #include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/mechanism_state.h>
 
 namespace Tribody
 {
   namespace Multibody
   {
+    namespace
+    {
+      // Of all states, the one of this joint; zero if its law has none or none
+      // are given.
+      double
+      friction_state(const ClearanceJoint                    &joint,
+                     const Eigen::Ref<const Eigen::VectorXd> &z)
+      {
+        return joint.friction_state_index < 0 || z.size() == 0
+                 ? 0.
+                 : z(joint.friction_state_index);
+      }
+    } // namespace
+
+
+
     EquationsOfMotion::EquationsOfMotion(
       const Mechanism                     &mechanism,
       const std::vector<ClearanceProfile> &clearances)
@@ -53,6 +70,26 @@ namespace Tribody
 
 
     void
+    EquationsOfMotion::add_constraint_jacobian(ConstVector        q,
+                                               const Eigen::Index first,
+                                               MatrixEntries     &entries) const
+    {
+      for (const auto &[element, row] : system.constraints())
+        {
+          const Constraint::Jacobian local =
+            element->jacobian(element->bodies.gather(q));
+          const auto rows = local.topRows(element->n_equations);
+          element->bodies.add_rows_to(rows, first + row, 0, entries);
+          element->bodies.add_columns_to(rows.transpose(),
+                                         0,
+                                         first + row,
+                                         entries);
+        }
+    }
+
+
+
+    void
     EquationsOfMotion::assemble_time_derivatives(const double t,
                                                  Vector       phi_t,
                                                  Vector       phi_tt) const
@@ -78,7 +115,7 @@ namespace Tribody
           const PairVector local_v = element->bodies.gather(v);
           for (unsigned int k = 0; k < element->n_equations; ++k)
             quadratic(row + k) = local_v.dot(
-              element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
+              element->weighted_hessian(local_q, Constraint::Values::Unit(k)) *
               local_v);
         }
     }
@@ -86,44 +123,90 @@ namespace Tribody
 
 
     void
-    EquationsOfMotion::add_multiplier_derivative(ConstVector  q,
-                                                 ConstVector  multipliers,
-                                                 const double factor,
-                                                 Matrix       matrix) const
+    EquationsOfMotion::assemble_constraint_terms(const double t,
+                                                 ConstVector  q,
+                                                 ConstVector  v,
+                                                 ConstVector  lambda,
+                                                 ConstVector  mu,
+                                                 Vector       phi,
+                                                 Vector       phi_rate,
+                                                 Vector       forces,
+                                                 Vector       rates) const
     {
       for (const auto &[element, row] : system.constraints())
         {
-          Eigen::Vector2d weights = Eigen::Vector2d::Zero();
-          for (unsigned int k = 0; k < element->n_equations; ++k)
-            weights(k) = factor * multipliers(row + k);
-          element->bodies.add_to(
-            element->weighted_hessian(element->bodies.gather(q), weights),
-            matrix);
+          const unsigned int         n        = element->n_equations;
+          const BodyPair            &bodies   = element->bodies;
+          const PairVector           local_q  = bodies.gather(q);
+          const Constraint::Jacobian jacobian = element->jacobian(local_q);
+
+          phi.segment(row, n) = element->value(t, local_q).head(n);
+          phi_rate.segment(row, n) =
+            (jacobian * bodies.gather(v) + element->time_derivative(t)).head(n);
+          bodies.add_to(PairVector(jacobian.transpose() *
+                                   element->gather(lambda, row)),
+                        forces);
+          bodies.add_to(PairVector(-jacobian.transpose() *
+                                   element->gather(mu, row)),
+                        rates);
         }
     }
 
 
 
     void
-    EquationsOfMotion::add_velocity_derivative(ConstVector q,
-                                               ConstVector v,
-                                               Matrix      matrix) const
+    EquationsOfMotion::add_constraint_derivatives(ConstVector         q,
+                                                  ConstVector         v,
+                                                  ConstVector         lambda,
+                                                  ConstVector         mu,
+                                                  const FirstIndices &first,
+                                                  MatrixEntries &entries) const
     {
       for (const auto &[element, row] : system.constraints())
         {
-          const BodyPair  &bodies  = element->bodies;
-          const PairVector local_q = bodies.gather(q);
-          const PairVector local_v = bodies.gather(v);
-          for (unsigned int k = 0; k < element->n_equations; ++k)
-            {
-              const PairVector local =
-                element->weighted_hessian(local_q, Eigen::Vector2d::Unit(k)) *
-                local_v;
-              for (const int l : {0, 1})
-                if (bodies.body(l) != ground_body)
-                  matrix.block<1, 3>(row + k, 3 * bodies.body(l)) +=
-                    local.segment<3>(3 * l).transpose();
-            }
+          const unsigned int         n        = element->n_equations;
+          const BodyPair            &bodies   = element->bodies;
+          const PairVector           local_q  = bodies.gather(q);
+          const PairVector           local_v  = bodies.gather(v);
+          const Constraint::Jacobian jacobian = element->jacobian(local_q);
+
+          // q' - v - Phi_q^T mu and M v' - Q + Phi_q^T lambda
+          bodies.add_to(element->weighted_hessian(local_q,
+                                                  -element->gather(mu, row)),
+                        first.q,
+                        first.q,
+                        entries);
+          bodies.add_to(element->weighted_hessian(local_q,
+                                                  element->gather(lambda, row)),
+                        first.v,
+                        first.q,
+                        entries);
+          bodies.add_columns_to(-jacobian.topRows(n).transpose(),
+                                first.q,
+                                first.mu + row,
+                                entries);
+          bodies.add_columns_to(jacobian.topRows(n).transpose(),
+                                first.v,
+                                first.lambda + row,
+                                entries);
+
+          // Phi and Phi_q v + Phi_t
+          bodies.add_rows_to(jacobian.topRows(n),
+                             first.lambda + row,
+                             first.q,
+                             entries);
+          bodies.add_rows_to(jacobian.topRows(n),
+                             first.mu + row,
+                             first.v,
+                             entries);
+          for (unsigned int k = 0; k < n; ++k)
+            bodies.add_rows_to(
+              (element->weighted_hessian(local_q, Constraint::Values::Unit(k)) *
+               local_v)
+                .transpose(),
+              first.mu + row + k,
+              first.q,
+              entries);
         }
     }
 
@@ -131,9 +214,25 @@ namespace Tribody
 
     void
     EquationsOfMotion::assemble_forces(
+      const double               t,
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
+      Vector                     forces) const
+    {
+      const Eigen::VectorXd no_states;
+      assemble_forces(t, q, v, approach_speeds, no_states, forces);
+    }
+
+
+
+    void
+    EquationsOfMotion::assemble_forces(
+      const double               t,
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
       Vector                     forces) const
     {
       forces = system.weights();
@@ -142,12 +241,28 @@ namespace Tribody
           spring.compute_force(spring.bodies.gather(q), spring.bodies.gather(v))
             .force,
           forces);
+      for (const RotationalSpring &spring : system.rotational_springs())
+        spring.bodies.add_to(
+          spring.compute_force(spring.bodies.gather(q), spring.bodies.gather(v))
+            .force,
+          forces);
+      for (const AppliedForce &force : system.applied_forces())
+        {
+          const int i = 3 * force.marker.body;
+          forces.segment<3>(i) += force.compute_force(t, q.segment<3>(i)).force;
+        }
+      for (const AppliedTorque &torque : system.applied_torques())
+        torque.bodies.add_to(torque.compute_force(t), forces);
       for (unsigned int j = 0; j < clearances.size(); ++j)
         {
           const ClearanceJoint &joint   = system.clearance_joints()[j];
           const PairVector      local_q = joint.bodies.gather(q);
-          const JointContact    contact = joint.compute_contact(
-            local_q, joint.bodies.gather(v), clearances[j], approach_speeds[j]);
+          const JointContact    contact =
+            joint.compute_contact(local_q,
+                                  joint.bodies.gather(v),
+                                  clearances[j],
+                                  approach_speeds[j],
+                                  friction_state(joint, z));
           if (contact.penetration > 0)
             joint.bodies.add_to(joint.compute_force(local_q, contact), forces);
         }
@@ -156,21 +271,101 @@ namespace Tribody
 
 
     void
-    EquationsOfMotion::subtract_force_derivatives(
+    EquationsOfMotion::assemble_friction_state_rates(
       ConstVector                q,
       ConstVector                v,
       const std::vector<double> &approach_speeds,
-      Matrix                     minus_d_position,
-      Matrix                     minus_d_velocity) const
+      ConstVector                z,
+      Vector                     rates) const
+    {
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint = system.clearance_joints()[j];
+          const int             k     = joint.friction_state_index;
+          if (k >= 0)
+            rates(k) = joint.compute_friction_state_rate(
+              compute_contact(j, q, v, approach_speeds[j], z(k)), z(k));
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::subtract_friction_state_derivatives(
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      const Eigen::Index         row,
+      const Eigen::Index         q_column,
+      const Eigen::Index         v_column,
+      const Eigen::Index         state,
+      MatrixEntries             &entries) const
+    {
+      for (unsigned int j = 0; j < clearances.size(); ++j)
+        {
+          const ClearanceJoint &joint = system.clearance_joints()[j];
+          const int             k     = joint.friction_state_index;
+          if (k < 0)
+            continue;
+          const ClearanceForce f =
+            joint.compute_force_with_derivatives(joint.bodies.gather(q),
+                                                 joint.bodies.gather(v),
+                                                 clearances[j],
+                                                 approach_speeds[j],
+                                                 z(k));
+          for (const int l : {0, 1})
+            if (joint.bodies.body(l) != ground_body)
+              {
+                const int first = 3 * joint.bodies.body(l);
+                entries.add_block(row + first,
+                                  state + k,
+                                  -f.d_state.segment<3>(3 * l));
+                entries.add_block(state + k,
+                                  q_column + first,
+                                  -f.rate_d_position.segment<3>(3 * l));
+                entries.add_block(state + k,
+                                  v_column + first,
+                                  -f.rate_d_velocity.segment<3>(3 * l));
+              }
+          entries.add(state + k, state + k, -f.rate_d_state);
+        }
+    }
+
+
+
+    void
+    EquationsOfMotion::subtract_force_derivatives(
+      const double               t,
+      ConstVector                q,
+      ConstVector                v,
+      const std::vector<double> &approach_speeds,
+      ConstVector                z,
+      const Eigen::Index         row,
+      const Eigen::Index         q_column,
+      const Eigen::Index         v_column,
+      MatrixEntries             &entries) const
     {
       const auto subtract = [&](const BodyPair &bodies, const PairForce &f) {
-        bodies.add_to(PairMatrix(-f.d_position), minus_d_position);
-        bodies.add_to(PairMatrix(-f.d_velocity), minus_d_velocity);
+        bodies.add_to(PairMatrix(-f.d_position), row, q_column, entries);
+        bodies.add_to(PairMatrix(-f.d_velocity), row, v_column, entries);
       };
       for (const Spring &spring : system.springs())
         subtract(spring.bodies,
                  spring.compute_force(spring.bodies.gather(q),
                                       spring.bodies.gather(v)));
+      for (const RotationalSpring &spring : system.rotational_springs())
+        subtract(spring.bodies,
+                 spring.compute_force(spring.bodies.gather(q),
+                                      spring.bodies.gather(v)));
+      for (const AppliedForce &force : system.applied_forces())
+        {
+          const int i = 3 * force.marker.body;
+          entries.add_block(
+            row + i,
+            q_column + i,
+            -force.compute_force(t, q.segment<3>(i)).d_position);
+        }
       for (unsigned int j = 0; j < clearances.size(); ++j)
         {
           const ClearanceJoint &joint = system.clearance_joints()[j];
@@ -178,7 +373,9 @@ namespace Tribody
                    joint.compute_force_with_derivatives(joint.bodies.gather(q),
                                                         joint.bodies.gather(v),
                                                         clearances[j],
-                                                        approach_speeds[j]));
+                                                        approach_speeds[j],
+                                                        friction_state(joint,
+                                                                       z)));
         }
     }
 
@@ -198,13 +395,29 @@ namespace Tribody
     EquationsOfMotion::compute_contact(const unsigned int joint,
                                        ConstVector        q,
                                        ConstVector        v,
-                                       const double       approach_speed) const
+                                       const double       approach_speed,
+                                       const double       friction_state) const
     {
       const ClearanceJoint &j = system.clearance_joints()[joint];
       return j.compute_contact(j.bodies.gather(q),
                                j.bodies.gather(v),
                                clearances[joint],
-                               approach_speed);
+                               approach_speed,
+                               friction_state);
+    }
+
+
+
+    JointContact
+    EquationsOfMotion::compute_contact(const unsigned int    joint,
+                                       const MechanismState &state) const
+    {
+      return compute_contact(joint,
+                             state.q,
+                             state.v,
+                             state.approach_speeds[joint],
+                             friction_state(system.clearance_joints()[joint],
+                                            state.friction_states));
     }
 
 
@@ -215,6 +428,8 @@ namespace Tribody
       Energy energy = {v.dot(system.masses().cwiseProduct(v)) / 2,
                        -system.weights().dot(q)};
       for (const Spring &spring : system.springs())
+        energy.potential += spring.potential_energy(spring.bodies.gather(q));
+      for (const RotationalSpring &spring : system.rotational_springs())
         energy.potential += spring.potential_energy(spring.bodies.gather(q));
       return energy;
     }

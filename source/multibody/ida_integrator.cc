@@ -1,12 +1,12 @@
 #include <idas/idas.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/multibody/ida_integrator.h>
+#include <tribody/multibody/ida_linear_solver.h>
+#include <tribody/multibody/ida_vector.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -29,6 +29,9 @@ namespace Tribody
       IntegratorStatistics
       statistics_of_this_run() const;
 
+      void
+      make_linear_solver();
+
       ImplicitSystem       system;
       IdaSettings          settings;
       std::exception_ptr   exception;
@@ -41,13 +44,13 @@ namespace Tribody
       Eigen::VectorXd y;
       Eigen::VectorXd y_t;
 
-      SUNContext         context       = nullptr;
-      void              *ida           = nullptr;
-      N_Vector           nv_y          = nullptr;
-      N_Vector           nv_y_t        = nullptr;
-      SUNMatrix          matrix        = nullptr;
-      SUNLinearSolver    linear_solver = nullptr;
-      SUNNonlinearSolver newton        = nullptr;
+      SUNContext         context = nullptr;
+      void              *ida     = nullptr;
+      N_Vector           nv_y    = nullptr;
+      N_Vector           nv_y_t  = nullptr;
+      SUNNonlinearSolver newton  = nullptr;
+      // Made at the first start: its pattern is that of a real state.
+      std::unique_ptr<IdaLinearSolver> linear_solver;
       // Norm of Newton's first correction in the current step.
       double first_correction = 0.;
     };
@@ -113,24 +116,6 @@ namespace Tribody
 
 
 
-      Eigen::Map<const Eigen::VectorXd>
-      const_view(const N_Vector x)
-      {
-        return {N_VGetArrayPointer(x),
-                static_cast<Eigen::Index>(N_VGetLength(x))};
-      }
-
-
-
-      Eigen::Map<Eigen::VectorXd>
-      view(const N_Vector x)
-      {
-        return {N_VGetArrayPointer(x),
-                static_cast<Eigen::Index>(N_VGetLength(x))};
-      }
-
-
-
       template <typename Memory>
       int
       residual_callback(realtype t,
@@ -157,20 +142,20 @@ namespace Tribody
                         N_Vector y,
                         N_Vector y_t,
                         N_Vector /*r*/,
-                        SUNMatrix matrix,
-                        void     *data,
+                        SUNMatrix /*matrix*/,
+                        void *data,
                         N_Vector,
                         N_Vector,
                         N_Vector)
       {
         Memory &memory = *static_cast<Memory *>(data);
         return guarded(memory.exception, [&]() {
-          Eigen::Map<Eigen::MatrixXd> result(SUNDenseMatrix_Data(matrix),
-                                             SUNDenseMatrix_Rows(matrix),
-                                             SUNDenseMatrix_Columns(matrix));
-          result.setZero();
-          memory.system.jacobian(t, c, const_view(y), const_view(y_t), result);
-          return result.allFinite() ? 0 : 1;
+          const bool is_finite =
+            memory.linear_solver->assemble([&](MatrixEntries &entries) {
+              memory.system.jacobian(
+                t, c, const_view(y), const_view(y_t), entries);
+            });
+          return is_finite ? 0 : 1;
         });
       }
 
@@ -224,14 +209,11 @@ namespace Tribody
       , y_t(y)
     {
       check(SUNContext_Create(nullptr, &context), "SUNContext_Create");
-      nv_y          = N_VMake_Serial(y.size(), y.data(), context);
-      nv_y_t        = N_VMake_Serial(y.size(), y_t.data(), context);
-      matrix        = SUNDenseMatrix(y.size(), y.size(), context);
-      linear_solver = SUNLinSol_Dense(nv_y, matrix, context);
-      newton        = SUNNonlinSol_Newton(nv_y, context);
-      ida           = IDACreate(context);
-      AssertThrow(ida != nullptr && linear_solver != nullptr &&
-                    newton != nullptr,
+      nv_y   = make_ida_vector(y, context);
+      nv_y_t = make_ida_vector(y_t, context);
+      newton = SUNNonlinSol_Newton(nv_y, context);
+      ida    = IDACreate(context);
+      AssertThrow(ida != nullptr && newton != nullptr,
                   ExcRun("SUNDIALS could not allocate its memory."));
     }
 
@@ -241,8 +223,7 @@ namespace Tribody
     {
       IDAFree(&ida);
       SUNNonlinSolFree(newton);
-      SUNLinSolFree(linear_solver);
-      SUNMatDestroy(matrix);
+      linear_solver.reset();
       N_VDestroy(nv_y);
       N_VDestroy(nv_y_t);
       SUNContext_Free(&context);
@@ -294,6 +275,26 @@ namespace Tribody
 
 
 
+    void
+    IdaIntegrator::Memory::make_linear_solver()
+    {
+      constexpr double some_c = 1.;
+      linear_solver           = IdaLinearSolver::create(
+        y.size(),
+        [&](MatrixEntries &entries) {
+          system.jacobian(
+            time, some_c, const_view(nv_y), const_view(nv_y_t), entries);
+        },
+        context);
+      check(IDASetLinearSolver(ida,
+                               linear_solver->solver,
+                               linear_solver->matrix),
+            "IDASetLinearSolver");
+      check(IDASetJacFn(ida, jacobian_callback<Memory>), "IDASetJacFn");
+    }
+
+
+
     IdaIntegrator::IdaIntegrator(const ImplicitSystem &system,
                                  const IdaSettings    &settings)
       : memory(std::make_unique<Memory>(system, settings))
@@ -334,9 +335,6 @@ namespace Tribody
       // of a joint: the 0.5 um joint then took four cycles to settle.
       run(IDASetNonlinConvCoef(ida, 0.03), "IDASetNonlinConvCoef");
       run(IDASetMaxStep(ida, settings.maximum_step), "IDASetMaxStep");
-      run(IDASetLinearSolver(ida, m.linear_solver, m.matrix),
-          "IDASetLinearSolver");
-      run(IDASetJacFn(ida, jacobian_callback<Memory>), "IDASetJacFn");
       run(IDASetNonlinearSolver(ida, m.newton), "IDASetNonlinearSolver");
       // After IDA, which sets its own.
       run(SUNNonlinSolSetConvTestFn(m.newton, convergence_test<Memory>, &m),
@@ -358,7 +356,8 @@ namespace Tribody
     void
     IdaIntegrator::start(const double           t,
                          const Eigen::VectorXd &y,
-                         const Eigen::VectorXd &y_t)
+                         const Eigen::VectorXd &y_t,
+                         const double           initial_step)
     {
       memory->previous_runs += memory->statistics_of_this_run();
       memory->time = t;
@@ -366,8 +365,13 @@ namespace Tribody
       memory->y_t  = y_t;
       memory->check(IDAReInit(memory->ida, t, memory->nv_y, memory->nv_y_t),
                     "IDAReInit");
-      memory->check(IDASetInitStep(memory->ida, memory->settings.initial_step),
+      memory->check(IDASetInitStep(memory->ida,
+                                   initial_step > 0
+                                     ? initial_step
+                                     : memory->settings.initial_step),
                     "IDASetInitStep");
+      if (!memory->is_started)
+        memory->make_linear_solver();
       memory->is_started = true;
     }
 

@@ -1,8 +1,9 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
 #include <tribody/multibody/angle_driver.h>
+#include <tribody/multibody/distance_driver.h>
 #include <tribody/multibody/mechanism.h>
-#include <tribody/multibody/revolute_constraint.h>
+#include <tribody/multibody/rigid_constraint.h>
 #include <tribody/multibody/translational_constraint.h>
 
 #include <algorithm>
@@ -33,6 +34,22 @@ namespace Tribody
         add_driver(driver);
       for (const SpringParameters &spring : parameters.springs)
         add_spring(spring);
+      for (const auto &spring : parameters.rotational_springs)
+        add_rotational_spring(spring);
+      for (const ForceParameters &force : parameters.forces)
+        add_force(force);
+      for (const TorqueParameters &torque : parameters.torques)
+        add_torque(torque);
+    }
+
+
+
+    bool
+    Mechanism::has_turning_driver() const
+    {
+      return !the_parameters.drivers.empty() &&
+             the_parameters.drivers.front().is_angle() &&
+             the_parameters.drivers.front().speed != 0;
     }
 
 
@@ -40,15 +57,18 @@ namespace Tribody
     double
     Mechanism::period() const
     {
+      const std::string hint =
+        ", but a cycle is one turn of the first driver at its 'Speed'. Where "
+        "nothing turns, 'Dynamics/Cycle duration' says how long a cycle is";
       AssertThrow(!the_parameters.drivers.empty(),
-                  ExcParameter("Drivers",
-                               "is empty, but a duty cycle is one revolution "
-                               "of the first driver"));
+                  ExcParameter("Drivers", "is empty" + hint));
       const DriverParameters &driver = the_parameters.drivers.front();
+      AssertThrow(driver.is_angle(),
+                  ExcParameter("Driver " + driver.name + "/Type",
+                               "is '" + driver.type + "'" + hint));
       AssertThrow(driver.speed != 0,
                   ExcParameter("Driver " + driver.name + "/Speed",
-                               "is zero, but a duty cycle is one revolution "
-                               "of the first driver"));
+                               "is zero" + hint));
       return 2 * M_PI / std::abs(driver.speed);
     }
 
@@ -112,6 +132,7 @@ namespace Tribody
       the_masses.resize(n_coordinates());
       the_weights.resize(n_coordinates());
       the_initial_coordinates.resize(n_coordinates());
+      the_initial_velocities.resize(n_coordinates());
       const Eigen::Vector2d gravity = to_eigen(the_parameters.gravity);
       for (unsigned int i = 0; i < the_parameters.bodies.size(); ++i)
         {
@@ -122,6 +143,9 @@ namespace Tribody
           the_initial_coordinates.segment<3>(3 * i)
             << to_eigen(body.initial_position),
             body.initial_angle;
+          the_initial_velocities.segment<3>(3 * i)
+            << to_eigen(body.initial_velocity),
+            body.initial_angular_velocity;
           for (const auto &[name, position] : body.markers)
             the_size = std::max(the_size, position.norm());
         }
@@ -141,7 +165,11 @@ namespace Tribody
                                  static_cast<unsigned int>(the_constraints.size()),
                                  joint.is_revolute(),
                                  joint.bushing_radius,
-                                 {}};
+                                 {},
+                                 {},
+                                 {},
+                                 JointModel::ideal,
+                                 nullptr};
       Marker            first, second;
       if (joint.is_revolute())
         {
@@ -157,19 +185,30 @@ namespace Tribody
                   ExcParameter(path,
                                "connects a body with itself: both of its "
                                "markers are on the same one"));
-      entry.bodies = {first.body, second.body};
+      entry.bodies          = {first.body, second.body};
+      entry.first_position  = first.position;
+      entry.second_position = second.position;
 
       if (joint.has_clearance())
         {
           entry.index = the_clearance_joints.size();
+          entry.model = JointModel::clearance;
           add_clearance_joint(joint, first, second);
         }
+      else if (joint.has_gap())
+        add_rigid_clearance(joint, first, second, entry);
       else if (joint.is_revolute())
         add_constraint(
           std::make_shared<RevoluteConstraint>(path, first, second));
-      else
+      else if (joint.type == "translational")
         add_constraint(std::make_shared<TranslationalConstraint>(
           path, first, second, joint.axis_angle, joint.relative_angle));
+      else if (joint.type == "rigid")
+        add_constraint(std::make_shared<RigidConstraint>(
+          path, first, second, joint.relative_angle));
+      else
+        add_constraint(std::make_shared<PointOnLineConstraint>(
+          path, first, second, joint.axis_angle));
       the_joints.push_back(entry);
     }
 
@@ -190,6 +229,44 @@ namespace Tribody
                                       make_friction_law(joint),
                                       joint.tangential_damping,
                                       joint.minimum_approach_speed});
+      if (has_state(the_clearance_joints.back().friction_law))
+        the_clearance_joints.back().friction_state_index = n_states++;
+    }
+
+
+
+    void
+    Mechanism::add_rigid_clearance(const JointParameters &joint,
+                                   const Marker          &pin,
+                                   const Marker          &bushing,
+                                   JointEntry            &entry)
+    {
+      const auto link =
+        std::make_shared<const MasslessLinkConstraint>("Joint " + joint.name,
+                                                       pin,
+                                                       bushing,
+                                                       joint.bushing_radius -
+                                                         joint.pin_radius);
+      entry.link              = link;
+      entry.model             = joint.model == "impact" ? JointModel::flying
+                                : joint.model == "following" ? JointModel::following
+                                                             : JointModel::massless_link;
+      const bool is_following = entry.model == JointModel::following;
+      if (entry.model != JointModel::massless_link)
+        the_impact_joints.push_back(
+          {static_cast<unsigned int>(the_joints.size()),
+           link,
+           joint.pin_radius,
+           joint.bushing_radius,
+           joint.restitution_coefficient,
+           joint.friction_law == "none" ? 0. : joint.friction_coefficient,
+           joint.capture_speed,
+           is_following,
+           n_equations});
+      if (entry.model == JointModel::flying)
+        entry.index = static_cast<unsigned int>(-1);
+      else
+        add_constraint(link);
     }
 
 
@@ -224,14 +301,85 @@ namespace Tribody
 
 
     void
+    Mechanism::add_rotational_spring(const RotationalSpringParameters &spring)
+    {
+      const std::string path = "Rotational spring " + spring.name;
+      the_rotational_springs.push_back(
+        {{find_body(path + "/Body", spring.body),
+          find_body(path + "/Reference body", spring.reference_body)},
+         spring.stiffness,
+         spring.damping,
+         spring.reference_angle,
+         spring.torque_at_reference_angle});
+    }
+
+
+
+    void
     Mechanism::add_driver(const DriverParameters &driver)
     {
-      const std::string path   = "Driver " + driver.name;
-      const BodyPair    bodies = {find_body(path + "/Body", driver.body),
-                                  find_body(path + "/Reference body",
-                                         driver.reference_body)};
-      add_constraint(std::make_shared<AngleDriver>(
-        path, bodies, driver.initial_angle, driver.speed));
+      const std::string  path = "Driver " + driver.name;
+      const TimeFunction function(path + "/Time function",
+                                  driver.time_function);
+      if (driver.is_angle())
+        {
+          const BodyPair bodies = {find_body(path + "/Body", driver.body),
+                                   find_body(path + "/Reference body",
+                                             driver.reference_body)};
+          the_driver_motions.push_back({driver.initial_angle,
+                                        driver.speed,
+                                        driver.angle_amplitude,
+                                        function});
+          add_constraint(std::make_shared<AngleDriver>(
+            path, bodies, the_driver_motions.back()));
+          return;
+        }
+      const Marker first =
+        find_marker(path + "/First marker", driver.first_marker);
+      const Marker second =
+        find_marker(path + "/Second marker", driver.second_marker);
+      AssertThrow(first.body != second.body,
+                  ExcParameter(path,
+                               "drives the distance of two markers of the same "
+                               "body, which cannot change"));
+      the_driver_motions.push_back({driver.initial_distance,
+                                    driver.distance_speed,
+                                    driver.distance_amplitude,
+                                    function});
+      add_constraint(std::make_shared<DistanceDriver>(
+        path, first, second, the_driver_motions.back()));
+    }
+
+
+
+    void
+    Mechanism::add_force(const ForceParameters &force)
+    {
+      const std::string path   = "Force " + force.name;
+      const Marker      marker = find_marker(path + "/Marker", force.marker);
+      AssertThrow(marker.body != ground_body,
+                  ExcParameter(path + "/Marker",
+                               "'" + force.marker +
+                                 "' belongs to the ground, which does not "
+                                 "move; name a marker of a body"));
+      the_applied_forces.push_back(
+        {marker,
+         to_eigen(force.vector),
+         force.axes == "body",
+         TimeFunction(path + "/Time function", force.time_function)});
+    }
+
+
+
+    void
+    Mechanism::add_torque(const TorqueParameters &torque)
+    {
+      const std::string path = "Torque " + torque.name;
+      the_applied_torques.push_back(
+        {{find_body(path + "/Body", torque.body),
+          find_body(path + "/Reference body", torque.reference_body)},
+         torque.torque,
+         TimeFunction(path + "/Time function", torque.time_function)});
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -36,7 +36,10 @@ namespace Tribody
       check_entries(bodies, "Bodies");
       check_entries(joints, "Joints");
       check_entries(springs, "Springs");
+      check_entries(rotational_springs, "Rotational springs");
       check_entries(drivers, "Drivers");
+      check_entries(forces, "Forces");
+      check_entries(torques, "Torques");
     }
 
 

@@ -1,4 +1,5 @@
 #include <tribody/base/exceptions.h>
+#include <tribody/multibody/energy_account.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
 #include <tribody/multibody/motion_integrator.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Tribody
 {
@@ -16,10 +18,8 @@ namespace Tribody
       : equations(equations)
       , n(equations.mechanism().n_coordinates())
       , m(equations.mechanism().n_constraints())
+      , n_states(equations.mechanism().n_friction_states())
       , phi(m)
-      , phi_q(m, n)
-      , phi_t(m)
-      , phi_tt(m)
       , forces(n)
     {
       ida = std::make_unique<IdaIntegrator>(make_system(),
@@ -42,21 +42,19 @@ namespace Tribody
                                ImplicitSystem::Vector            &residual) {
         assemble_residual(y, y_t, t, residual);
       };
-      system.jacobian = [this](const double /*t*/,
+      system.jacobian = [this](const double                       t,
                                const double                       c,
                                const ImplicitSystem::ConstVector &y,
                                const ImplicitSystem::ConstVector & /*y_t*/,
-                               ImplicitSystem::Matrix &jacobian) {
-        assemble_jacobian(y, c, jacobian);
+                               MatrixEntries &entries) {
+        assemble_jacobian(y, t, c, entries);
       };
-      system.n_roots = equations.mechanism().clearance_joints().size();
-      system.roots =
-        [this, n_roots = system.n_roots](const double /*t*/,
-                                         const ImplicitSystem::ConstVector &y,
-                                         double *values) {
-          for (unsigned int j = 0; j < n_roots; ++j)
-            values[j] = equations.compute_penetration(j, y.head(n));
-        };
+      // Two for each joint, see evaluate_roots().
+      system.n_roots = 2 * (equations.mechanism().clearance_joints().size() +
+                            equations.mechanism().impact_joints().size());
+      system.roots   = [this](const double                       t,
+                            const ImplicitSystem::ConstVector &y,
+                            double *values) { evaluate_roots(t, y, values); };
       return system;
     }
 
@@ -65,15 +63,17 @@ namespace Tribody
     IdaSettings
     MotionIntegrator::make_settings(const MotionTolerances &tolerances) const
     {
-      IdaSettings settings;
-      settings.is_differential.resize(2 * n + 2 * m);
+      IdaSettings        settings;
+      const unsigned int size = 2 * n + 2 * m + n_states;
+      settings.is_differential.resize(size);
       settings.is_differential << Eigen::VectorXd::Ones(2 * n),
-        Eigen::VectorXd::Zero(2 * m);
+        Eigen::VectorXd::Zero(2 * m), Eigen::VectorXd::Ones(n_states);
       // Multipliers follow from q and v at every instant: they must not keep
       // Newton's method from converging.
-      settings.absolute_tolerances.resize(2 * n + 2 * m);
+      settings.absolute_tolerances.resize(size);
       settings.absolute_tolerances << tolerances.positions,
-        tolerances.velocities, Eigen::VectorXd::Constant(2 * m, 1e30);
+        tolerances.velocities, Eigen::VectorXd::Constant(2 * m, 1e30),
+        tolerances.friction_states;
       settings.maximum_order = tolerances.maximum_order;
       settings.maximum_step  = tolerances.maximum_step;
       settings.initial_step  = tolerances.initial_step;
@@ -88,68 +88,132 @@ namespace Tribody
                                         const double                       t,
                                         ImplicitSystem::Vector &residual)
     {
-      const auto q      = y.head(n);
-      const auto v      = y.segment(n, n);
-      const auto lambda = y.segment(2 * n, m);
-      const auto mu     = y.tail(m);
+      const auto q = y.head(n);
+      const auto v = y.segment(n, n);
+      const auto z = y.tail(n_states);
 
-      equations.assemble_constraint_jacobian(q, phi_q);
-      equations.assemble_time_derivatives(t, phi_t, phi_tt);
-      equations.assemble_forces(q, v, current.approach_speeds, forces);
-
+      equations.assemble_forces(t, q, v, current.approach_speeds, z, forces);
       residual.head(n) = y_t.head(n) - v;
-      residual.head(n).noalias() -= phi_q.transpose() * mu;
       residual.segment(n, n) =
         equations.mechanism().masses().cwiseProduct(y_t.segment(n, n)) - forces;
-      residual.segment(n, n).noalias() += phi_q.transpose() * lambda;
-      equations.assemble_constraints(t, q, residual.segment(2 * n, m));
-      residual.tail(m) = phi_t;
-      residual.tail(m).noalias() += phi_q * v;
+      equations.assemble_constraint_terms(t,
+                                          q,
+                                          v,
+                                          y.segment(2 * n, m),
+                                          y.segment(2 * n + m, m),
+                                          residual.segment(2 * n, m),
+                                          residual.segment(2 * n + m, m),
+                                          residual.segment(n, n),
+                                          residual.head(n));
+      if (n_states > 0)
+        {
+          equations.assemble_friction_state_rates(
+            q, v, current.approach_speeds, z, residual.tail(n_states));
+          residual.tail(n_states) =
+            y_t.tail(n_states) - residual.tail(n_states);
+        }
     }
 
 
 
     void
     MotionIntegrator::assemble_jacobian(const ImplicitSystem::ConstVector &y,
+                                        const double                       t,
                                         const double                       c,
-                                        ImplicitSystem::Matrix &jacobian)
+                                        MatrixEntries &entries)
     {
-      const auto q      = y.head(n);
-      const auto v      = y.segment(n, n);
-      const auto lambda = y.segment(2 * n, m);
-      const auto mu     = y.tail(m);
-
-      equations.assemble_constraint_jacobian(q, phi_q);
-
-      // q' - v - Phi_q^T mu
-      jacobian.block(0, 0, n, n).diagonal().setConstant(c);
-      equations.add_multiplier_derivative(q,
-                                          mu,
-                                          -1.,
-                                          jacobian.block(0, 0, n, n));
-      jacobian.block(0, n, n, n).diagonal().setConstant(-1.);
-      jacobian.block(0, 2 * n + m, n, m) = -phi_q.transpose();
-
-      // M v' - Q + Phi_q^T lambda
-      equations.subtract_force_derivatives(q,
+      const auto             q      = y.head(n);
+      const auto             v      = y.segment(n, n);
+      const auto             z      = y.tail(n_states);
+      const Eigen::VectorXd &masses = equations.mechanism().masses();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          entries.add(i, i, c);
+          entries.add(i, n + i, -1.);
+          entries.add(n + i, n + i, c * masses(i));
+        }
+      equations.subtract_force_derivatives(
+        t, q, v, current.approach_speeds, z, n, 0, n, entries);
+      if (n_states > 0)
+        {
+          const Eigen::Index state = 2 * n + 2 * m;
+          equations.subtract_friction_state_derivatives(
+            q, v, current.approach_speeds, z, n, 0, n, state, entries);
+          for (unsigned int k = 0; k < n_states; ++k)
+            entries.add(state + k, state + k, c);
+        }
+      equations.add_constraint_derivatives(q,
                                            v,
-                                           current.approach_speeds,
-                                           jacobian.block(n, 0, n, n),
-                                           jacobian.block(n, n, n, n));
-      equations.add_multiplier_derivative(q,
-                                          lambda,
-                                          1.,
-                                          jacobian.block(n, 0, n, n));
-      jacobian.block(n, n, n, n).diagonal() +=
-        c * equations.mechanism().masses();
-      jacobian.block(n, 2 * n, n, m) = phi_q.transpose();
+                                           y.segment(2 * n, m),
+                                           y.segment(2 * n + m, m),
+                                           {0, n, 2 * n, 2 * n + m},
+                                           entries);
+    }
 
-      // Phi and Phi_q v + Phi_t
-      jacobian.block(2 * n, 0, m, n) = phi_q;
-      equations.add_velocity_derivative(q,
-                                        v,
-                                        jacobian.block(2 * n + m, 0, m, n));
-      jacobian.block(2 * n + m, n, m, n) = phi_q;
+
+
+    Eigen::VectorXd
+    MotionIntegrator::exact_multipliers(const double                       t,
+                                        const ImplicitSystem::ConstVector &y)
+    {
+      const Eigen::VectorXd q = y.head(n), v = y.segment(n, n);
+      equations.assemble_forces(
+        t, q, v, current.approach_speeds, y.tail(n_states), forces);
+      return compute_accelerations(
+               equations, t, ConstraintOffsets(m), q, v, forces)
+        .multipliers;
+    }
+
+
+
+    void
+    MotionIntegrator::evaluate_roots(const double                       t,
+                                     const ImplicitSystem::ConstVector &y,
+                                     double                            *values)
+    {
+      const Mechanism   &mechanism  = equations.mechanism();
+      const unsigned int n_contacts = mechanism.clearance_joints().size();
+      const unsigned int n_joints =
+        n_contacts + mechanism.impact_joints().size();
+      // A contact that begins and ends within one step changes the sign of its
+      // penetration at neither end. But the pin is farthest out in between:
+      // where its rate falls through zero, the integrator looks.
+      const auto flight_rate = [](const double penetration, const auto &rate) {
+        constexpr double not_flying = -1.;
+        return penetration < 0. ? rate() : not_flying;
+      };
+      for (unsigned int j = 0; j < n_contacts; ++j)
+        {
+          values[j]            = equations.compute_penetration(j, y.head(n));
+          values[n_joints + j] = flight_rate(values[j], [&]() {
+            return equations
+              .compute_contact(
+                j, y.head(n), y.segment(n, n), current.approach_speeds[j], 0.)
+              .penetration_rate;
+          });
+        }
+
+      Eigen::VectorXd multipliers;
+      for (unsigned int k = 0; k < mechanism.impact_joints().size(); ++k)
+        {
+          const ImpactJoint &joint  = mechanism.impact_joints()[k];
+          double            &value  = values[n_contacts + k];
+          double            &flight = values[n_joints + n_contacts + k];
+          if (joint.is_following)
+            {
+              if (multipliers.size() == 0)
+                multipliers = exact_multipliers(t, y);
+              value  = multipliers(joint.first_row);
+              flight = flight_rate(0., []() { return 0.; });
+              continue;
+            }
+          const BodyPair &bodies = joint.link->bodies;
+          value  = joint.compute_penetration(bodies.gather(y.head(n)));
+          flight = flight_rate(value, [&]() {
+            return joint.normal_row(bodies.gather(y.head(n)))
+              .dot(bodies.gather(y.segment(n, n)));
+          });
+        }
     }
 
 
@@ -163,8 +227,23 @@ namespace Tribody
       current.approach_speeds.resize(joints.size());
       for (unsigned int j = 0; j < joints.size(); ++j)
         current.approach_speeds[j] = joints[j].minimum_approach_speed;
+      if (current.friction_states.size() != n_states)
+        {
+          current.friction_states = Eigen::VectorXd::Zero(n_states);
+          for (unsigned int j = 0; j < joints.size(); ++j)
+            if (joints[j].friction_state_index >= 0)
+              {
+                const JointContact contact =
+                  equations.compute_contact(j, current);
+                if (contact.penetration > 0)
+                  current.friction_states(joints[j].friction_state_index) =
+                    compute_steady_friction_state(joints[j].friction_law,
+                                                  contact.sliding_speed);
+              }
+        }
       the_events.clear();
       the_peak_forces.assign(joints.size(), 0.);
+      contact_peak_forces.assign(joints.size(), 0.);
       the_drift = 0.;
       restart();
     }
@@ -172,11 +251,27 @@ namespace Tribody
 
 
     void
-    MotionIntegrator::restart()
+    MotionIntegrator::resume(const MechanismState &state,
+                             const double          initial_step)
     {
-      equations.assemble_forces(current.q,
+      current = state;
+      const unsigned int n_contacts =
+        equations.mechanism().clearance_joints().size();
+      the_peak_forces.resize(n_contacts);
+      contact_peak_forces.resize(n_contacts);
+      restart(initial_step);
+    }
+
+
+
+    void
+    MotionIntegrator::restart(const double initial_step)
+    {
+      equations.assemble_forces(current.time,
+                                current.q,
                                 current.v,
                                 current.approach_speeds,
+                                current.friction_states,
                                 forces);
       const Accelerations accelerations =
         compute_accelerations(equations,
@@ -185,12 +280,34 @@ namespace Tribody
                               current.q,
                               current.v,
                               forces);
-      Eigen::VectorXd y(2 * n + 2 * m), y_t(2 * n + 2 * m);
+      Eigen::VectorXd rates(n_states);
+      equations.assemble_friction_state_rates(current.q,
+                                              current.v,
+                                              current.approach_speeds,
+                                              current.friction_states,
+                                              rates);
+      const unsigned int size = 2 * n + 2 * m + n_states;
+      Eigen::VectorXd    y(size), y_t(size);
       y << current.q, current.v, accelerations.multipliers,
-        Eigen::VectorXd::Zero(m);
-      y_t << current.v, accelerations.a, Eigen::VectorXd::Zero(2 * m);
-      ida->start(current.time, y, y_t);
+        Eigen::VectorXd::Zero(m), current.friction_states;
+      y_t << current.v, accelerations.a, Eigen::VectorXd::Zero(2 * m), rates;
+      ida->start(current.time, y, y_t, initial_step);
+      if (energy_account != nullptr)
+        energy_account->restart(current);
       restart_is_pending = false;
+      stop_is_pending    = false;
+      the_stops.clear();
+    }
+
+
+
+    void
+    MotionIntegrator::update_current(const double t, const Eigen::VectorXd &y)
+    {
+      current.time            = t;
+      current.q               = y.head(n);
+      current.v               = y.segment(n, n);
+      current.friction_states = y.tail(n_states);
     }
 
 
@@ -198,23 +315,89 @@ namespace Tribody
     void
     MotionIntegrator::record_step(const std::vector<int> &roots)
     {
-      const Eigen::VectorXd &y = ida->solution();
+      const Eigen::VectorXd &y         = ida->solution();
+      const Mechanism       &mechanism = equations.mechanism();
       equations.assemble_constraints(ida->time(), y.head(n), phi);
       if (m > 0)
         the_drift = std::max(the_drift, phi.lpNorm<Eigen::Infinity>());
-      for (unsigned int j = 0; j < roots.size(); ++j)
+      const unsigned int n_contacts = mechanism.clearance_joints().size();
+      for (unsigned int j = 0; j < n_contacts; ++j)
         {
-          const JointContact contact = equations.compute_contact(
-            j, y.head(n), y.segment(n, n), current.approach_speeds[j]);
-          the_peak_forces[j] = std::max(the_peak_forces[j],
-                                        std::hypot(contact.normal_force,
-                                                   contact.tangential_force));
+          const int k = mechanism.clearance_joints()[j].friction_state_index;
+          const JointContact contact =
+            equations.compute_contact(j,
+                                      y.head(n),
+                                      y.segment(n, n),
+                                      current.approach_speeds[j],
+                                      k < 0 ? 0. : y(2 * n + 2 * m + k));
+          const double force =
+            std::hypot(contact.normal_force, contact.tangential_force);
+          the_peak_forces[j]     = std::max(the_peak_forces[j], force);
+          contact_peak_forces[j] = std::max(contact_peak_forces[j], force);
           if (roots[j] == 0)
             continue;
-          the_events.push_back(
-            {ida->time(), j, roots[j] > 0, contact.penetration_rate});
-          restart_is_pending = restart_is_pending || roots[j] > 0;
+          the_events.push_back({ida->time(),
+                                j,
+                                roots[j] > 0,
+                                contact.penetration_rate,
+                                contact_peak_forces[j]});
+          contact_peak_forces[j] = 0.;
+          restart_is_pending     = restart_is_pending || roots[j] > 0;
         }
+      // A flying pin hits where its penetration rises through zero, a following
+      // one flies where its force falls through it.
+      for (unsigned int k = 0; k < mechanism.impact_joints().size(); ++k)
+        if (roots[n_contacts + k] ==
+            (mechanism.impact_joints()[k].is_following ? -1 : 1))
+          the_stops.push_back(k);
+      stop_is_pending = !the_stops.empty();
+    }
+
+
+
+    void
+    MotionIntegrator::take_stop()
+    {
+      update_current(ida->time(), ida->solution());
+      for (auto e = the_events.rbegin();
+           e != the_events.rend() && e->time == current.time;
+           ++e)
+        if (e->is_onset)
+          {
+            const ClearanceJoint &joint =
+              equations.mechanism().clearance_joints()[e->joint];
+            current.approach_speeds[e->joint] =
+              std::max(e->penetration_rate, joint.minimum_approach_speed);
+            if (joint.friction_state_index >= 0)
+              current.friction_states(joint.friction_state_index) = 0.;
+          }
+    }
+
+
+
+    std::string
+    MotionIntegrator::describe_deepest_contact() const
+    {
+      const Eigen::VectorXd             &y = ida->solution();
+      const std::vector<ClearanceJoint> &joints =
+        equations.mechanism().clearance_joints();
+      double      deepest = -std::numeric_limits<double>::infinity();
+      std::string name;
+      for (unsigned int j = 0; j < joints.size(); ++j)
+        {
+          const double penetration =
+            equations.compute_penetration(j, y.head(n));
+          if (penetration > deepest)
+            {
+              deepest = penetration;
+              name    = joints[j].name;
+            }
+        }
+      if (name.empty())
+        return "";
+      return " Of the joints with clearance, '" + name +
+             "' has the largest penetration there, " +
+             significant_digits(1e6 * deepest) + " um.";
     }
 
 
@@ -224,27 +407,17 @@ namespace Tribody
                                  const unsigned long maximum_steps,
                                  const unsigned long n_steps_before)
     {
-      if (t == current.time)
+      if (t == current.time && !stop_is_pending)
         return current;
       unsigned long n_steps = n_steps_before;
-      while (ida->time() < t)
+      while (ida->time() < t && !stop_is_pending)
         {
+          book_energy(ida->time());
           if (restart_is_pending)
             {
               // The step behind us went past the onset with an approach speed
               // of the contact before. It is given up from there on.
-              current.time = ida->time();
-              current.q    = ida->solution().head(n);
-              current.v    = ida->solution().segment(n, n);
-              for (auto e = the_events.rbegin();
-                   e != the_events.rend() && e->time == current.time;
-                   ++e)
-                if (e->is_onset)
-                  current.approach_speeds[e->joint] =
-                    std::max(e->penetration_rate,
-                             equations.mechanism()
-                               .clearance_joints()[e->joint]
-                               .minimum_approach_speed);
+              take_stop();
               restart();
             }
           AssertThrow(n_steps++ < maximum_steps,
@@ -254,14 +427,59 @@ namespace Tribody
                              "per cycle') and has only reached time " +
                              significant_digits(ida->time(), 6) +
                              " s. A larger 'Dynamics/Accuracy' takes longer "
-                             "steps."));
-          record_step(ida->step(t + 1.));
+                             "steps." +
+                             describe_deepest_contact()));
+          try
+            {
+              record_step(ida->step(t + 1.));
+            }
+          catch (const ExcRun &error)
+            {
+              throw ExcRun(message_of(error) + describe_deepest_contact());
+            }
         }
-      ida->interpolate(t, interpolated);
-      current.time = t;
-      current.q    = interpolated.head(n);
-      current.v    = interpolated.segment(n, n);
+      if (stop_is_pending && ida->time() <= t)
+        {
+          book_energy(ida->time());
+          take_stop();
+          return current;
+        }
+      book_energy(t);
+      current = state_at(t);
       return current;
+    }
+
+
+
+    MechanismState
+    MotionIntegrator::state_at(const double t)
+    {
+      ida->interpolate(t, interpolated);
+      return {t,
+              interpolated.head(n),
+              interpolated.segment(n, n),
+              current.approach_speeds,
+              interpolated.tail(n_states)};
+    }
+
+
+
+    void
+    MotionIntegrator::set_energy_account(EnergyAccount *account)
+    {
+      energy_account = account;
+      if (account != nullptr)
+        account->open(current);
+    }
+
+
+
+    void
+    MotionIntegrator::book_energy(const double t)
+    {
+      if (energy_account != nullptr && t > energy_account->time())
+        energy_account->advance(state_at((energy_account->time() + t) / 2),
+                                state_at(t));
     }
 
 

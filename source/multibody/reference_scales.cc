@@ -23,6 +23,13 @@ namespace Tribody
       // two-joint PTFE mechanism did not settle otherwise.
       constexpr double transition_factor = 3.;
 
+      // A joint is loose if its clearance is larger than this many
+      // penetrations.
+      constexpr double loose_clearance = 10.;
+
+      // What impacts multiply errors by, as far as it is known beforehand.
+      constexpr double error_growth_of_impacts = 10.;
+
 
 
       // A joint over a cycle with ideal joints.
@@ -46,7 +53,9 @@ namespace Tribody
       {
         for (unsigned int j = 0; j < joints.size(); ++j)
           {
-            const JointEntry  &entry = mechanism.joints()[j];
+            const JointEntry &entry = mechanism.joints()[j];
+            if (!entry.is_revolute)
+              continue;
             const unsigned int row =
               mechanism.constraints()[entry.index].first_row;
             const PairVector v     = entry.bodies.gather(motion.v);
@@ -63,7 +72,8 @@ namespace Tribody
 
 
       std::vector<IdealJoint>
-      run_ideal_cycle(const EquationsOfMotion &closed)
+      run_ideal_cycle(const EquationsOfMotion &closed,
+                      const double             given_period)
       {
         const Mechanism        &mechanism = closed.mechanism();
         std::vector<IdealJoint> joints(mechanism.joints().size());
@@ -72,29 +82,18 @@ namespace Tribody
         const ConstraintOffsets none(mechanism.n_constraints());
         const Eigen::VectorXd   no_force =
           Eigen::VectorXd::Zero(mechanism.n_coordinates());
+        const double period =
+          given_period > 0 ? given_period : mechanism.period();
         constexpr unsigned int n_samples = 72;
         Eigen::VectorXd        q         = assemble_configuration(closed, 0.);
         for (unsigned int k = 0; k < n_samples; ++k)
           {
-            const double t      = k * mechanism.period() / n_samples;
+            const double t      = k * period / n_samples;
             const Motion motion = solve_motion(closed, t, none, no_force, q);
             q                   = motion.q;
             add_sample(mechanism, motion, k == 0, 1. / n_samples, joints);
           }
         return joints;
-      }
-
-
-
-      // The speed at which friction changes its sign, v_0 of the tanh;
-      // infinite without friction.
-      double
-      friction_transition_speed(const FrictionLaw &law)
-      {
-        const double slope = compute_friction_ratio(law, 0.).d_sliding_speed;
-        constexpr double very_fast = 1e6;
-        return slope > 0 ? compute_friction_ratio(law, very_fast).value / slope
-                         : std::numeric_limits<double>::infinity();
       }
 
 
@@ -130,51 +129,105 @@ namespace Tribody
           .eigenvalues()
           .maxCoeff();
       }
+
+
+
+      // What follows from the laws of contact and friction.
+      void
+      add_contact_scale(const ClearanceJoint &joint,
+                        const IdealJoint     &ideal,
+                        const double          inverse_mass,
+                        ReferenceScale       &scale)
+      {
+        scale.penetration         = compute_penetration(joint.contact_law,
+                                                scale.force,
+                                                0.,
+                                                joint.minimum_approach_speed);
+        const NormalForce contact = compute_normal_force(
+          joint.contact_law,
+          {scale.penetration, 0., joint.minimum_approach_speed});
+        scale.frequency = std::sqrt(contact.d_penetration * inverse_mass);
+        scale.speed     = scale.penetration * scale.frequency;
+        if (contact.d_penetration_rate > 0)
+          scale.speed =
+            std::min(scale.speed, scale.force / contact.d_penetration_rate);
+        if (ideal.slowest <= 0 && ideal.fastest >= 0)
+          scale.speed = std::min(scale.speed,
+                                 transition_factor * compute_transition_speed(
+                                                       joint.friction_law));
+        scale.is_loose =
+          joint.nominal_clearance() > loose_clearance * scale.penetration;
+        scale.friction_state =
+          compute_steady_friction_state(joint.friction_law,
+                                        std::numeric_limits<double>::min());
+      }
+
+
+
+      // The last bounces before a pin is captured, as high as the capture speed
+      // carries them, must be right too.
+      void
+      resolve_bounces(const Mechanism   &mechanism,
+                      const unsigned int joint,
+                      const double       inverse_mass,
+                      ReferenceScale    &scale)
+      {
+        for (const ImpactJoint &pin : mechanism.impact_joints())
+          if (pin.joint == joint)
+            {
+              scale.speed       = std::min(scale.speed, pin.capture_speed);
+              scale.penetration = std::min(scale.penetration,
+                                           scale.speed * scale.speed /
+                                             (scale.force * inverse_mass));
+            }
+      }
     } // namespace
 
 
 
     std::vector<ReferenceScale>
     compute_reference_scales(const Mechanism         &mechanism,
-                             const EquationsOfMotion &closed)
+                             const EquationsOfMotion &closed,
+                             const double             period)
     {
-      if (mechanism.clearance_joints().empty())
+      const auto &joints = mechanism.joints();
+      if (std::all_of(joints.begin(),
+                      joints.end(),
+                      [](const JointEntry &joint) { return joint.is_ideal(); }))
         return {};
-      const std::vector<IdealJoint> ideal = run_ideal_cycle(closed);
+      const std::vector<IdealJoint> ideal = run_ideal_cycle(closed, period);
       const double          default_force = mechanism.masses().maxCoeff();
       const Eigen::VectorXd q             = assemble_configuration(closed, 0.);
 
       std::vector<ReferenceScale> scales;
       for (unsigned int j = 0; j < ideal.size(); ++j)
         {
-          const JointEntry &entry = mechanism.joints()[j];
-          if (!entry.has_clearance)
+          const JointEntry &entry = joints[j];
+          if (entry.is_ideal())
             continue;
-          const ClearanceJoint &joint =
-            mechanism.clearance_joints()[entry.index];
           ReferenceScale scale;
-          scale.force               = ideal[j].mean_force > 1e-3 * default_force
-                                        ? ideal[j].mean_force
-                                        : default_force;
-          scale.penetration         = compute_penetration(joint.contact_law,
-                                                  scale.force,
-                                                  0.,
-                                                  joint.minimum_approach_speed);
-          const NormalForce contact = compute_normal_force(
-            joint.contact_law,
-            {scale.penetration, 0., joint.minimum_approach_speed});
-          scale.frequency =
-            std::sqrt(contact.d_penetration *
-                      largest_inverse_mass(mechanism, closed, q, j));
-          scale.speed = scale.penetration * scale.frequency;
-          if (contact.d_penetration_rate > 0)
-            scale.speed =
-              std::min(scale.speed, scale.force / contact.d_penetration_rate);
-          if (ideal[j].slowest <= 0 && ideal[j].fastest >= 0)
-            scale.speed =
-              std::min(scale.speed,
-                       transition_factor *
-                         friction_transition_speed(joint.friction_law));
+          scale.bodies = entry.bodies;
+          scale.force  = ideal[j].mean_force > 1e-3 * default_force
+                           ? ideal[j].mean_force
+                           : default_force;
+          const double inverse_mass =
+            largest_inverse_mass(mechanism, closed, q, j);
+          if (entry.has_clearance)
+            add_contact_scale(mechanism.clearance_joints()[entry.index],
+                              ideal[j],
+                              inverse_mass,
+                              scale);
+          else
+            {
+              scale.penetration = entry.link->length;
+              scale.frequency =
+                std::sqrt(scale.force * inverse_mass / scale.penetration);
+              scale.speed          = scale.penetration * scale.frequency;
+              scale.friction_state = 0.;
+              scale.is_loose       = false;
+              if (entry.model == JointModel::flying)
+                resolve_bounces(mechanism, j, inverse_mass, scale);
+            }
           scales.push_back(scale);
         }
       return scales;
@@ -198,9 +251,14 @@ namespace Tribody
         }
       if (scales.empty())
         {
-          // A part of the mechanism's size, in a second.
+          // A part of the mechanism's size, at the pace of a cycle.
+          double cycle = 2 * M_PI;
+          if (parameters.cycle_duration > 0)
+            cycle = parameters.cycle_duration;
+          else if (mechanism.has_turning_driver())
+            cycle = mechanism.period();
           shortest = 1e-4 * mechanism.size();
-          slowest  = shortest;
+          slowest  = shortest * 2 * M_PI / cycle;
         }
 
       MotionTolerances tolerances;
@@ -211,7 +269,7 @@ namespace Tribody
           double length = 0., speed = 0.;
           for (unsigned int j = 0; j < scales.size(); ++j)
             {
-              const BodyPair &bodies = mechanism.clearance_joints()[j].bodies;
+              const BodyPair &bodies = scales[j].bodies;
               if (bodies.first != static_cast<int>(i) &&
                   bodies.second != static_cast<int>(i))
                 continue;
@@ -236,17 +294,30 @@ namespace Tribody
           tolerances.velocities.segment<3>(3 * i) << speed, speed,
             speed / lever;
         }
-      tolerances.positions *= parameters.accuracy;
-      tolerances.velocities *= parameters.accuracy;
+      tolerances.friction_states.resize(mechanism.n_friction_states());
+      unsigned int n_states = 0;
+      for (const ReferenceScale &scale : scales)
+        if (scale.friction_state > 0)
+          tolerances.friction_states(n_states++) = scale.friction_state;
+      const auto is_loose = [](const ReferenceScale &scale) {
+        return scale.is_loose;
+      };
+      const double accuracy =
+        std::any_of(scales.begin(), scales.end(), is_loose)
+          ? parameters.accuracy / error_growth_of_impacts
+          : parameters.accuracy;
+      tolerances.positions *= accuracy;
+      tolerances.velocities *= accuracy;
+      tolerances.friction_states *= accuracy;
       tolerances.maximum_order = parameters.maximum_order;
       if (tolerances.maximum_order == 0)
-        tolerances.maximum_order = scales.empty() ? 5 : 2;
+        tolerances.maximum_order =
+          std::all_of(scales.begin(), scales.end(), is_loose) ? 5 : 2;
       // At the start and after an impact BDF is of first order: its error is
       // half the second derivative, of the size of penetration times frequency
       // squared, times the square of the step.
       if (!scales.empty())
-        tolerances.initial_step =
-          0.5 * std::sqrt(parameters.accuracy) / fastest;
+        tolerances.initial_step = 0.5 * std::sqrt(accuracy) / fastest;
       return tolerances;
     }
   } // namespace Multibody

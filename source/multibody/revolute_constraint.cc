@@ -14,11 +14,14 @@ namespace Tribody
 
 
 
-    Eigen::Vector2d
+    Constraint::Values
     RevoluteConstraint::value(const double /*t*/, const PairVector &q) const
     {
-      return marker_position(q.head<3>(), s_1) -
-             marker_position(q.tail<3>(), s_2);
+      Values result;
+      result << marker_position(q.head<3>(), s_1) -
+                  marker_position(q.tail<3>(), s_2),
+        0.;
+      return result;
     }
 
 
@@ -27,22 +30,22 @@ namespace Tribody
     RevoluteConstraint::jacobian(const PairVector &q) const
     {
       Jacobian result = Jacobian::Zero();
-      result.leftCols<2>().setIdentity();
-      result.col(2)           = perpendicular(turned(s_1, q(2)));
-      result.middleCols<2>(3) = -Eigen::Matrix2d::Identity();
-      result.col(5)           = -perpendicular(turned(s_2, q(5)));
+      result.topLeftCorner<2, 2>().setIdentity();
+      result.col(2).head<2>()  = perpendicular(turned(s_1, q(2)));
+      result.block<2, 2>(0, 3) = -Eigen::Matrix2d::Identity();
+      result.col(5).head<2>()  = -perpendicular(turned(s_2, q(5)));
       return result;
     }
 
 
 
     PairMatrix
-    RevoluteConstraint::weighted_hessian(const PairVector      &q,
-                                         const Eigen::Vector2d &weights) const
+    RevoluteConstraint::weighted_hessian(const PairVector &q,
+                                         const Values     &weights) const
     {
       PairMatrix result = PairMatrix::Zero();
-      result(2, 2)      = -weights.dot(turned(s_1, q(2)));
-      result(5, 5)      = weights.dot(turned(s_2, q(5)));
+      result(2, 2)      = -weights.head<2>().dot(turned(s_1, q(2)));
+      result(5, 5)      = weights.head<2>().dot(turned(s_2, q(5)));
       return result;
     }
 
@@ -50,9 +53,9 @@ namespace Tribody
 
     Eigen::Vector2d
     RevoluteConstraint::reaction_force(const PairVector & /*q*/,
-                                       const Eigen::Vector2d &multipliers) const
+                                       const Values &multipliers) const
     {
-      return multipliers;
+      return multipliers.head<2>();
     }
   } // namespace Multibody
 } // namespace Tribody

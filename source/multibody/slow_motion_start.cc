@@ -1,5 +1,6 @@
 #include <Eigen/LU>
 
+#include <tribody/base/exceptions.h>
 #include <tribody/multibody/equations_of_motion.h>
 #include <tribody/multibody/kinematics.h>
 #include <tribody/multibody/mechanism.h>
@@ -65,6 +66,9 @@ namespace Tribody
         void
         update_eccentricity(const unsigned int j, const int k);
 
+        void
+        update_link(const unsigned int j, const int k);
+
         const EquationsOfMotion &equations;
         const EquationsOfMotion &closed;
         const double             t_0;
@@ -72,6 +76,10 @@ namespace Tribody
         const TimeMatrix         first;
         const TimeMatrix         second;
 
+        // One entry per joint that is not ideal: its index among those with
+        // contact forces, or its link if it has none.
+        std::vector<unsigned int>                      contact_indices;
+        std::vector<const MasslessLinkConstraint *>    links;
         std::vector<unsigned int>                      rows;
         std::vector<Eigen::Matrix<double, 2, n_times>> e;
         std::vector<Eigen::Matrix<double, 1, n_times>> penetrations;
@@ -94,11 +102,15 @@ namespace Tribody
       {
         const Mechanism &mechanism = equations.mechanism();
         for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
-          if (mechanism.joints()[j].has_clearance)
-            rows.push_back(
-              closed.mechanism()
-                .constraints()[closed.mechanism().joints()[j].index]
-                .first_row);
+          if (!mechanism.joints()[j].is_ideal())
+            {
+              contact_indices.push_back(mechanism.joints()[j].index);
+              links.push_back(mechanism.joints()[j].link.get());
+              rows.push_back(
+                closed.mechanism()
+                  .constraints()[closed.mechanism().joints()[j].index]
+                  .first_row);
+            }
         e.assign(rows.size(), Eigen::Matrix<double, 2, n_times>::Zero());
         penetrations.assign(rows.size(),
                             Eigen::Matrix<double, 1, n_times>::Zero());
@@ -136,19 +148,42 @@ namespace Tribody
 
 
       void
+      SlowMotionSearch::update_link(const unsigned int j, const int k)
+      {
+        const Eigen::Vector2d reaction =
+          motions[k].multipliers.segment<2>(rows[j]);
+        const double force = reaction.norm();
+        e[j].col(k)        = force > 0
+                               ? Eigen::Vector2d(links[j]->length / force * reaction)
+                               : Eigen::Vector2d(links[j]->length, 0.);
+        penetrations[j](k) = links[j]->length;
+      }
+
+
+
+      void
       SlowMotionSearch::update_eccentricity(const unsigned int j, const int k)
       {
+        if (links[j] != nullptr)
+          {
+            update_link(j, k);
+            return;
+          }
+        const unsigned int    index = contact_indices[j];
         const ClearanceJoint &joint =
-          equations.mechanism().clearance_joints()[j];
+          equations.mechanism().clearance_joints()[index];
         const Motion         &motion   = motions[k];
         const Eigen::Vector2d reaction = motion.multipliers.segment<2>(rows[j]);
         const double          force    = reaction.norm();
         const JointContact    contact  = equations.compute_contact(
-          j, motion.q, motion.v, joint.minimum_approach_speed);
+          index, motion.q, motion.v, joint.minimum_approach_speed);
 
         // The reaction is F_N (n + ratio k x n).
         double ratio =
-          compute_friction_ratio(joint.friction_law, contact.sliding_speed)
+          compute_friction_ratio(joint.friction_law,
+                                 contact.sliding_speed,
+                                 compute_steady_friction_state(
+                                   joint.friction_law, contact.sliding_speed))
             .value;
         if (force > 0)
           ratio += joint.tangential_damping * contact.swing_speed / force;
@@ -169,7 +204,7 @@ namespace Tribody
                                                  rate,
                                                  joint.minimum_approach_speed);
         const double clearance =
-          equations.clearance(j).clearance(angle - bushing_angle);
+          equations.clearance(index).clearance(angle - bushing_angle);
         const double eccentricity = clearance + penetrations[j](k);
         e[j].col(k) << eccentricity * std::cos(angle),
           eccentricity * std::sin(angle);
@@ -224,18 +259,75 @@ namespace Tribody
                            std::to_string(report.n_iterations) + " iterations";
         return start;
       }
+
+
+
+      // Reactions of ideal joints with the smallest velocities that the
+      // constraints allow.
+      Eigen::VectorXd
+      ideal_reactions(const EquationsOfMotion &closed,
+                      const MechanismState    &state,
+                      const ConstraintOffsets &none)
+      {
+        const Eigen::VectorXd v =
+          compute_velocities(closed, state.time, none, state.q);
+        Eigen::VectorXd forces(state.q.size());
+        closed.assemble_forces(state.time, state.q, v, {}, forces);
+        return compute_accelerations(
+                 closed, state.time, none, state.q, v, forces)
+          .multipliers;
+      }
+
+
+
+      // Move the pins of massless links to their ends.
+      void
+      add_links(const EquationsOfMotion &equations,
+                const EquationsOfMotion &closed,
+                MechanismState          &state,
+                ConstraintOffsets       &offsets)
+      {
+        const Mechanism &mechanism = equations.mechanism();
+        const Mechanism &ideal     = closed.mechanism();
+        Eigen::VectorXd  reactions;
+        for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
+          {
+            if (mechanism.joints()[j].model != JointModel::massless_link)
+              continue;
+            if (reactions.size() == 0)
+              reactions = ideal_reactions(closed, state, offsets);
+            const unsigned int row =
+              ideal.constraints()[ideal.joints()[j].index].first_row;
+            Eigen::Vector2d direction = reactions.segment<2>(row);
+            if (!(direction.norm() > 0))
+              direction = Eigen::Vector2d::UnitX();
+            offsets.value.segment<2>(row) =
+              mechanism.joints()[j].link->length * direction.normalized();
+          }
+        if (reactions.size() == 0)
+          return;
+        const SolverReport report =
+          solve_positions(closed, state.time, offsets, state.q);
+        AssertThrow(report.converged,
+                    ExcRun("The mechanism cannot be assembled with its "
+                           "massless links at time " +
+                           std::to_string(state.time) + " s."));
+      }
     } // namespace
 
 
 
     StartingState
-    compute_centred_start(const EquationsOfMotion &closed, const double t_0)
+    compute_centred_start(const EquationsOfMotion &equations,
+                          const EquationsOfMotion &closed,
+                          const double             t_0)
     {
-      StartingState           start;
-      const ConstraintOffsets none(closed.mechanism().n_constraints());
+      StartingState     start;
+      ConstraintOffsets offsets(closed.mechanism().n_constraints());
       start.state.time = t_0;
       start.state.q    = assemble_configuration(closed, t_0);
-      start.state.v    = compute_velocities(closed, t_0, none, start.state.q);
+      add_links(equations, closed, start.state, offsets);
+      start.state.v = compute_initial_velocities(closed, t_0, start.state.q);
       start.report.converged = true;
       return start;
     }

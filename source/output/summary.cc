@@ -46,7 +46,7 @@ namespace Tribody
 
 
       Json
-      joint_to_json(const JointSummary &joint)
+      joint_to_json(const JointSummary &joint, const bool has_energy)
       {
         Json json = Json::object();
         if (joint.has_bushing)
@@ -62,14 +62,66 @@ namespace Tribody
             json["volume_balance_relative_error"] =
               joint.bushing.volume_balance_relative_error;
           }
-        json["peak_force_N"] = joint.peak_force;
-        json["mean_force_N"] = joint.mean_force;
+        json["peak_force_N"]         = joint.peak_force;
+        json["peak_force_phase_deg"] = joint.peak_phase;
+        json["mean_force_N"]         = joint.mean_force;
+        json["residual_ringing"]     = joint.residual_ringing;
+        if (joint.mean_peak_force > 0.)
+          {
+            json["mean_peak_force_N"]      = joint.mean_peak_force;
+            json["peak_force_deviation_N"] = joint.peak_force_deviation;
+            json["mean_force_deviation_N"] = joint.mean_force_deviation;
+          }
         if (joint.has_clearance)
           {
-            json["mean_normal_force_N"] = joint.mean_normal_force;
-            json["sliding_per_cycle_m"] = joint.sliding_per_cycle;
-            json["clearance_m"]         = joint.clearance;
-            json["contact_losses"]      = joint.contact_losses;
+            json["mean_normal_force_N"]      = joint.mean_normal_force;
+            json["sliding_per_cycle_m"]      = joint.sliding_per_cycle;
+            json["clearance_m"]              = joint.clearance;
+            json["contact_losses"]           = joint.contact_losses;
+            json["peak_force_since_start_N"] = joint.peak_force_since_start;
+            json["state_shares"]             = {{"free", joint.share_free},
+                                                {"impact", joint.share_impact},
+                                                {"following", joint.share_following}};
+            json["contacts_in_cycle"]        = {{"onsets", joint.n_onsets},
+                                                {"losses", joint.n_losses},
+                                                {"max_approach_speed_m_s",
+                                                 joint.max_approach_speed}};
+            if (has_energy)
+              {
+                json["normal_loss_J"]   = joint.normal_loss;
+                json["friction_loss_J"] = joint.friction_loss;
+              }
+          }
+        return json;
+      }
+
+
+
+      Json
+      dynamics_to_json(const RunSummary &summary)
+      {
+        const DynamicsSummary &dynamics = summary.dynamics;
+
+        Json json = {{"constraint_drift_m", summary.constraint_drift},
+                     {"settled", summary.all_settled},
+                     {"message", summary.settling_message},
+                     {"settling_relative_difference",
+                      summary.settling_difference},
+                     {"settling_cycles", dynamics.settling_cycles},
+                     {"averaged_cycles", dynamics.averaged_cycles},
+                     {"integration_steps", dynamics.n_steps},
+                     {"integration_steps_in_cycle", dynamics.n_steps_in_cycle},
+                     {"residual_evaluations", dynamics.n_residuals},
+                     {"jacobian_evaluations", dynamics.n_jacobians},
+                     {"restarts", dynamics.n_restarts}};
+        if (dynamics.has_energy)
+          {
+            json["work_in_cycle_J"]       = dynamics.work;
+            json["dissipated_in_cycle_J"] = dynamics.dissipated;
+            json["energy_balance_relative_error"] =
+              dynamics.energy_balance_relative_error;
+            json["energy_balance_relative_error_since_start"] =
+              dynamics.energy_balance_relative_error_since_start;
           }
         return json;
       }
@@ -80,37 +132,34 @@ namespace Tribody
     void
     write_summary_json(const std::string &file_name, const RunSummary &summary)
     {
-      Json json = {
-        {"program",
-         {{"name", "tribody"},
-          {"version", program_version()},
-          {"git", program_revision()},
-          {"libraries", library_versions()}}},
-        {"case", summary.case_name},
-        {"status", summary.status},
-        {"message", summary.message},
-        {"cycles", summary.cycles},
-        {"wall_time_s", summary.wall_time},
-        {"cpu_time_s", summary.cpu_time},
-        {"peak_memory_bytes",
-         static_cast<unsigned long long>(summary.peak_memory_bytes)},
-        {"counts",
-         {{"wear_steps", summary.wear_steps},
-          {"rate_evaluations", summary.rate_evaluations},
-          {"dynamics_cycles", summary.dynamics_cycles},
-          {"contact_solves", summary.contact_solves},
-          {"compliance_builds", summary.compliance_builds}}},
-        {"joints", Json::object()},
-        {"dynamics",
-         {{"constraint_drift_m", summary.constraint_drift},
-          {"settled", summary.all_settled},
-          {"message", summary.settling_message},
-          {"settling_relative_difference", summary.settling_difference}}},
-        {"error_estimate",
-         {{"max_wear_depth_relative", summary.max_wear_depth_relative_error},
-          {"covers", "wear steps"}}}};
+      Json json = {{"program",
+                    {{"name", "tribody"},
+                     {"version", program_version()},
+                     {"git", program_revision()},
+                     {"libraries", library_versions()}}},
+                   {"case", summary.case_name},
+                   {"status", summary.status},
+                   {"message", summary.message},
+                   {"cycles", summary.cycles},
+                   {"wall_time_s", summary.wall_time},
+                   {"cpu_time_s", summary.cpu_time},
+                   {"peak_memory_bytes",
+                    static_cast<unsigned long long>(summary.peak_memory_bytes)},
+                   {"counts",
+                    {{"wear_steps", summary.wear_steps},
+                     {"rate_evaluations", summary.rate_evaluations},
+                     {"dynamics_cycles", summary.dynamics_cycles},
+                     {"contact_solves", summary.contact_solves},
+                     {"compliance_builds", summary.compliance_builds}}},
+                   {"joints", Json::object()},
+                   {"dynamics", dynamics_to_json(summary)},
+                   {"error_estimate",
+                    {{"max_wear_depth_relative",
+                      summary.max_wear_depth_relative_error},
+                     {"covers", "wear steps"}}}};
       for (const JointSummary &joint : summary.joints)
-        json["joints"][joint.name] = joint_to_json(joint);
+        json["joints"][joint.name] =
+          joint_to_json(joint, summary.dynamics.has_energy);
 
       // Text from the parameter file may be in any encoding.
       const std::string text =

@@ -1,23 +1,32 @@
 // Derivatives of all elements against central differences at a state without
-// any symmetry: constraints (first and second derivatives), spring with damper,
-// and the clearance joint in contact with a bore that is not round and a
-// sliding speed in the middle of the friction law's smooth part. Differences
-// are of second order, so 1e-6 relative is what they can show; no entry may be
-// wrong.
+// any symmetry: constraints (first and second derivatives, by coordinates and
+// by time; the reaction is what Phi_q^T lambda does to the second body),
+// springs with dampers, applied forces, and the clearance joint in contact with
+// a bore that is not round and a sliding speed in the middle of the friction
+// law's smooth part. Differences are of second order, so 1e-6 relative is what
+// they can show; no entry may be wrong.
 //
 // The clearance profile meets its nodal values, is periodic, and its
 // derivatives converge to those of the smooth function that it was made from.
+// Derivatives of time functions against closed forms: as accurate as their
+// documentation says, from the slow to the fast, a pulse between the points of
+// the coarse differences included.
 // Penetrations found for a force give that force.
 
 #include "report.h"
 #include <tribody/multibody/angle_driver.h>
+#include <tribody/multibody/applied_force.h>
 #include <tribody/multibody/clearance_joint.h>
-#include <tribody/multibody/revolute_constraint.h>
+#include <tribody/multibody/distance_driver.h>
+#include <tribody/multibody/massless_link_constraint.h>
+#include <tribody/multibody/rigid_constraint.h>
+#include <tribody/multibody/rotational_spring.h>
 #include <tribody/multibody/spring.h>
 #include <tribody/multibody/translational_constraint.h>
 #include <tribody/surface/clearance_profile.h>
 
 #include <functional>
+#include <sstream>
 
 using namespace Tribody;
 using namespace Tribody::Multibody;
@@ -48,7 +57,7 @@ check_constraint(const std::string &name, const Constraint &c)
 {
   PairVector q;
   q << 0.3, -0.2, 0.7, 0.9, 0.4, -1.1;
-  const Eigen::Vector2d w(0.6, -1.7);
+  const Constraint::Values w(0.6, -1.7, 0.8);
   report_below(name + ", first derivative",
                relative_error(
                  c.jacobian(q),
@@ -67,6 +76,155 @@ check_constraint(const std::string &name, const Constraint &c)
                                              1e-5))
                  .lpNorm<Eigen::Infinity>(),
                1e-8);
+  report_below(name + ", reaction",
+               (c.reaction_force(q, w) +
+                (c.jacobian(q).transpose() * w).segment<2>(3))
+                 .norm(),
+               1e-14);
+}
+
+// A driver's derivatives by time.
+void
+check_time_derivatives(const std::string &name, const Constraint &c)
+{
+  const PairVector q = PairVector::LinSpaced(0.1, 0.9);
+  const double     t = 0.3, step = 1e-4;
+  const auto       differ = [&](const auto &f) {
+    return ((f(t + step) - f(t - step)) / (2 * step)).eval();
+  };
+  report_below(name + ", derivative by time",
+               (c.time_derivative(t) -
+                differ([&](const double x) { return c.value(x, q); }))
+                 .norm(),
+               1e-6);
+  report_below(name + ", second derivative by time",
+               (c.second_time_derivative(t) -
+                differ([&](const double x) { return c.time_derivative(x); }))
+                 .norm(),
+               1e-6);
+}
+
+void
+check_rotational_spring()
+{
+  const RotationalSpring spring = {{0, 1}, 500., 7., 0.4, 30.};
+  PairVector             q, v;
+  q << 0.3, -0.2, 0.7, 0.9, 0.4, -1.1;
+  v << 0.5, 0.1, -2., 0.3, -0.4, 1.3;
+  const PairForce f = spring.compute_force(q, v);
+  // 30 + 500 (1.8 - 0.4) - 7 * 3.3
+  report_value("rotational spring: torque [N m]", f.force(5), 4);
+  report_below("  derivative by position",
+               relative_error(f.d_position,
+                              differences(
+                                [&](const PairVector &x) {
+                                  return spring.compute_force(x, v).force;
+                                },
+                                q,
+                                1e-5)),
+               1e-8);
+  report_below("  derivative by velocity",
+               relative_error(f.d_velocity,
+                              differences(
+                                [&](const PairVector &x) {
+                                  return spring.compute_force(q, x).force;
+                                },
+                                v,
+                                1e-5)),
+               1e-8);
+  report_below("  force and potential energy",
+               relative_error(
+                 spring.compute_force(q, PairVector::Zero()).force.transpose(),
+                 differences(
+                   [&](const PairVector &x) {
+                     return Eigen::VectorXd::Constant(
+                       1, -spring.potential_energy(x));
+                   },
+                   q,
+                   1e-5)),
+               1e-8);
+}
+
+void
+check_applied_force(const bool turns_with_body)
+{
+  const AppliedForce force = {{0, {0.1, 0.2}},
+                              {3., -7.},
+                              turns_with_body,
+                              TimeFunction("f", "cos(2*t)")};
+  PairVector         q     = PairVector::Zero();
+  q.head<3>() << 0.3, -0.2, 0.7;
+  const double    t = 0.3;
+  Eigen::Matrix3d exact =
+    differences(
+      [&](const PairVector &x) {
+        return Eigen::VectorXd(force.compute_force(t, x.head<3>()).force);
+      },
+      q,
+      1e-5)
+      .leftCols<3>();
+  const BodyForce result = force.compute_force(t, q.head<3>());
+  report_below("applied force, derivative by position",
+               relative_error(result.d_position, exact),
+               1e-8);
+  // Power of the force in a motion of the body, by the way of its marker.
+  const Eigen::Vector3d v(0.4, -1.1, 2.3);
+  const double          step = 1e-6;
+  const Eigen::Vector2d way =
+    (marker_position(q.head<3>() + step * v, force.marker.position) -
+     marker_position(q.head<3>() - step * v, force.marker.position)) /
+    (2 * step);
+  const Eigen::Vector2d global =
+    std::cos(2 * t) *
+    (turns_with_body ? turned(force.vector, q(2)) : force.vector);
+  report_below("  power",
+               std::abs(result.force.dot(v) / global.dot(way) - 1),
+               1e-8);
+}
+
+void
+check_time_function(const std::string &expression,
+                    const double       t,
+                    const double       size,
+                    const double       frequency,
+                    const double       first,
+                    const double       second)
+{
+  const TimeFunction          function("f", expression);
+  const std::array<double, 2> found = function.derivatives(t);
+  report_below(expression + ", first derivative",
+               std::abs(found[0] - first) / (size * frequency),
+               2e-11);
+  report_below(expression + ", second derivative",
+               std::abs(found[1] - second) / (size * frequency * frequency),
+               1e-9);
+}
+
+void
+check_time_functions()
+{
+  for (const double w : {1., 30., 1000., 30000.})
+    {
+      std::ostringstream expression;
+      expression << "3*sin(" << w << "*t)";
+      const double t = std::min(0.7, 900 / w);
+      check_time_function(expression.str(),
+                          t,
+                          3.,
+                          w,
+                          3 * w * std::cos(w * t),
+                          -3 * w * w * std::sin(w * t));
+    }
+  // 1 ms wide, seen from its flank.
+  const double x = 0.6, e = std::exp(-x * x);
+  check_time_function("exp(-(1000*(t-1))^2)",
+                      1 + 1e-3 * x,
+                      1.,
+                      1000.,
+                      -2 * x * e * 1e3,
+                      (4 * x * x - 2) * e * 1e6);
+  check_time_function("0.5*t^2 - 3*t", -2., 1., 1., -5., 1.);
+  check_time_function("7.5", 1., 1., 1., 0., 0.);
 }
 
 void
@@ -246,15 +404,90 @@ check_profile()
   report_below("  error with uneven nodes", error, 1e-3);
 }
 
+// A LuGre joint 20 um deep in its bore: derivatives by the state of friction
+// and of its rate.
+void
+check_friction_state()
+{
+  ClearanceJoint joint       = {"joint",
+                                {0, 1},
+                                {0., 0.},
+                                {0., 0.},
+                                9.525e-3,
+                                9.535e-3,
+                                LankaraniNikraveshLaw{1.5e7, 0.7},
+                                LuGreFriction{{0.1, 0.3, 0.01}, 1e5, 20., 0.5},
+                                0.,
+                                1e-2};
+  joint.friction_state_index = 0;
+  const ClearanceProfile clearance(10e-6);
+  PairVector             q, v;
+  q << 20e-6, -22e-6, 0.7, 0., 0., -1.1;
+  v << 0.5e-3, 0.1e-3, 0.4, 0., 0., 0.3;
+  const double z = 0.7e-6, step = 1e-10;
+  const auto   contact =
+    [&](const PairVector &x, const PairVector &y, const double state) {
+      return joint.compute_contact(x, y, clearance, 0.02, state);
+    };
+  const auto rate = [&](const PairVector &x, const PairVector &y) {
+    return Eigen::VectorXd::Constant(
+      1, joint.compute_friction_state_rate(contact(x, y, z), z));
+  };
+  const ClearanceForce f =
+    joint.compute_force_with_derivatives(q, v, clearance, 0.02, z);
+  report_below("friction state: derivative of the force",
+               relative_error(f.d_state,
+                              (joint.compute_force(q, contact(q, v, z + step)) -
+                               joint.compute_force(q,
+                                                   contact(q, v, z - step))) /
+                                (2 * step)),
+               1e-6);
+  report_below(
+    "  of the rate by position",
+    relative_error(
+      f.rate_d_position,
+      differences([&](const PairVector &x) { return rate(x, v); }, q, 2e-9)),
+    1e-5);
+  report_below(
+    "  of the rate by velocity",
+    relative_error(
+      f.rate_d_velocity,
+      differences([&](const PairVector &x) { return rate(q, x); }, v, 1e-7)),
+    1e-5);
+  report_below(
+    "  of the rate by the state",
+    std::abs((joint.compute_friction_state_rate(contact(q, v, z), z + step) -
+              joint.compute_friction_state_rate(contact(q, v, z), z - step)) /
+               (2 * step) / f.rate_d_state -
+             1),
+    1e-6);
+}
+
 int
 main()
 {
+  check_friction_state();
   const Marker first = {0, {0.1, 0.2}}, second = {1, {-0.3, 0.1}};
   check_constraint("revolute", RevoluteConstraint("", first, second));
+  check_constraint("massless link",
+                   MasslessLinkConstraint("", first, second, 0.3));
   check_constraint("translational",
                    TranslationalConstraint("", first, second, 0.4, 0.2));
-  check_constraint("driver", AngleDriver("", {0, 1}, 0.3, 2.));
+  check_constraint("rigid", RigidConstraint("", first, second, 0.2));
+  check_constraint("point on line",
+                   PointOnLineConstraint("", first, second, 0.4));
+  const DriverMotion   motion = {0.3, 2., 0.5, TimeFunction("f", "sin(3*t)")};
+  const AngleDriver    angle_driver("", {0, 1}, motion);
+  const DistanceDriver distance_driver("", first, second, motion);
+  check_constraint("angle driver", angle_driver);
+  check_time_derivatives("angle driver", angle_driver);
+  check_constraint("distance driver", distance_driver);
+  check_time_derivatives("distance driver", distance_driver);
+  check_time_functions();
   check_spring();
+  check_rotational_spring();
+  check_applied_force(false);
+  check_applied_force(true);
   check_clearance_joint("none", 0.);
   check_clearance_joint("Coulomb regularised", 0.);
   check_clearance_joint("Coulomb regularised", 200.);

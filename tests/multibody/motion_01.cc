@@ -100,7 +100,7 @@ pendulum_force()
   const MechanismState &bottom =
     integrator.advance_to(1.8540746773013719 * std::sqrt(0.5 / g), 100000);
   Eigen::VectorXd forces(mechanism.n_coordinates());
-  equations.assemble_forces(bottom.q, bottom.v, {}, forces);
+  equations.assemble_forces(bottom.time, bottom.q, bottom.v, {}, forces);
   const Accelerations result =
     compute_accelerations(equations,
                           bottom.time,

@@ -5,6 +5,7 @@
 #include <tribody/base/table_writer.h>
 #include <tribody/coupling/case_parameters.h>
 #include <tribody/coupling/run_state.h>
+#include <tribody/multibody/mechanism.h>
 #include <tribody/output/output_directory.h>
 
 #include <chrono>
@@ -18,7 +19,7 @@ namespace Tribody
   namespace Coupling
   {
     /**
-     * Writes down what a run does while it goes: history, duty cycles,
+     * Writes down what a run does while it goes: history, tables of the cycle,
      * profiles and VTU files in the output directory, progress on the console.
      * Knows nothing of how the numbers come about.
      */
@@ -27,10 +28,11 @@ namespace Tribody
     public:
       /// Nothing is written before start(), and nothing at all unless
       /// @p is_first_rank.
-      RunRecorder(const CaseParameters    &parameters,
-                  Output::OutputDirectory &directory,
-                  Console                 &console,
-                  const bool               is_first_rank);
+      RunRecorder(const CaseParameters       &parameters,
+                  const Multibody::Mechanism &mechanism,
+                  Output::OutputDirectory    &directory,
+                  Console                    &console,
+                  const bool                  is_first_rank);
 
       /// Make the output directory, open the log, write parameters.prm.
       void
@@ -63,8 +65,9 @@ namespace Tribody
       write_history_row(const RunState                  &state,
                         const std::list<WearingBushing> &bushings);
 
+      // A film of the moving mechanism; the last one stays.
       void
-      write_duty_cycles(const Multibody::DutyCycle &duty_cycle) const;
+      write_mechanism(const Multibody::DutyCycle &cycle) const;
 
       void
       write_bushing(const RunState       &state,
@@ -75,10 +78,11 @@ namespace Tribody
       print_progress(const RunState                  &state,
                      const std::list<WearingBushing> &bushings);
 
-      const CaseParameters    &parameters;
-      Output::OutputDirectory &directory;
-      Console                 &console;
-      bool                     writes;
+      const CaseParameters       &parameters;
+      const Multibody::Mechanism &mechanism;
+      Output::OutputDirectory    &directory;
+      Console                    &console;
+      bool                        writes;
 
       std::unique_ptr<TableWriter> history;
       /// Fields written so far, and at which cycle the last were.

@@ -2,36 +2,37 @@
 #define tribody_multibody_angle_driver_h
 
 #include <tribody/multibody/constraint.h>
+#include <tribody/multibody/driver_motion.h>
 
 namespace Tribody
 {
   namespace Multibody
   {
-    /**
-     * A motor of constant speed,
-     * @f[ \Phi = \varphi_1 - \varphi_2 - \theta_0 - \omega t = 0. @f]
-     */
+    /// A motor that prescribes the angle @f$\theta(t)@f$ between two bodies,
+    /// @f$ \Phi = \varphi_1 - \varphi_2 - \theta(t) = 0 @f$.
     class AngleDriver : public Constraint
     {
     public:
-      /// @param initial_angle [rad]; @param speed [rad/s].
-      AngleDriver(const std::string &description,
-                  const BodyPair    &bodies,
-                  const double       initial_angle,
-                  const double       speed);
+      /// @param motion theta(t) [rad].
+      AngleDriver(const std::string  &description,
+                  const BodyPair     &bodies,
+                  const DriverMotion &motion);
 
-      Eigen::Vector2d
+      Values
       value(const double t, const PairVector &q) const override;
 
       Jacobian
       jacobian(const PairVector &q) const override;
 
       PairMatrix
-      weighted_hessian(const PairVector      &q,
-                       const Eigen::Vector2d &weights) const override;
+      weighted_hessian(const PairVector &q,
+                       const Values     &weights) const override;
 
-      Eigen::Vector2d
+      Values
       time_derivative(const double t) const override;
+
+      Values
+      second_time_derivative(const double t) const override;
 
       bool
       is_angle(const unsigned int /*i*/) const override
@@ -41,12 +42,11 @@ namespace Tribody
 
       /// A motor transmits a moment, no force.
       Eigen::Vector2d
-      reaction_force(const PairVector      &q,
-                     const Eigen::Vector2d &multipliers) const override;
+      reaction_force(const PairVector &q,
+                     const Values     &multipliers) const override;
 
     private:
-      const double initial_angle;
-      const double speed;
+      const DriverMotion motion;
     };
   } // namespace Multibody
 } // namespace Tribody

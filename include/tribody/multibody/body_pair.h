@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <tribody/multibody/matrix_entries.h>
+
 #include <cmath>
 
 namespace Tribody
@@ -77,14 +79,51 @@ namespace Tribody
             global.segment<3>(3 * body(k)) += local.segment<3>(3 * k);
       }
 
+      /// Add @p local to the square matrix whose upper left entry is at
+      /// (@p row, @p column), one row and column per coordinate.
       void
-      add_to(const PairMatrix &local, Eigen::Ref<Eigen::MatrixXd> global) const
+      add_to(const PairMatrix  &local,
+             const Eigen::Index row,
+             const Eigen::Index column,
+             MatrixEntries     &global) const
       {
         for (const int k : {0, 1})
           for (const int l : {0, 1})
             if (body(k) != ground_body && body(l) != ground_body)
-              global.block<3, 3>(3 * body(k), 3 * body(l)) +=
-                local.block<3, 3>(3 * k, 3 * l);
+              global.add_block(row + 3 * body(k),
+                               column + 3 * body(l),
+                               local.block<3, 3>(3 * k, 3 * l));
+      }
+
+      /// Add @p local, some rows of six columns, to a matrix whose first row is
+      /// @p row and whose columns from @p column on belong to coordinates.
+      template <typename Derived>
+      void
+      add_rows_to(const Eigen::MatrixBase<Derived> &local,
+                  const Eigen::Index                row,
+                  const Eigen::Index                column,
+                  MatrixEntries                    &global) const
+      {
+        for (const int k : {0, 1})
+          if (body(k) != ground_body)
+            global.add_block(row,
+                             column + 3 * body(k),
+                             local.template middleCols<3>(3 * k));
+      }
+
+      /// The same for six rows that belong to coordinates.
+      template <typename Derived>
+      void
+      add_columns_to(const Eigen::MatrixBase<Derived> &local,
+                     const Eigen::Index                row,
+                     const Eigen::Index                column,
+                     MatrixEntries                    &global) const
+      {
+        for (const int k : {0, 1})
+          if (body(k) != ground_body)
+            global.add_block(row + 3 * body(k),
+                             column,
+                             local.template middleRows<3>(3 * k));
       }
 
       int

@@ -42,6 +42,10 @@ namespace Tribody
       dealii::Point<2> initial_position;
       /// Angle at the start [rad]; a guess too.
       double initial_angle = 0.;
+      /// Velocity of the centre of mass [m/s] and angular velocity [rad/s] at
+      /// the start, which are projected onto what the joints allow.
+      dealii::Point<2> initial_velocity;
+      double           initial_angular_velocity = 0.;
 
       /// Declares in the current subsection, "Body <name>".
       void

@@ -48,6 +48,19 @@ namespace Tribody
       }
     };
 
+    /// Forces of a joint with clearance with their derivatives, those with
+    /// respect to the state z of its friction law included, and those of z'.
+    struct ClearanceForce : PairForce
+    {
+      PairVector d_state = PairVector::Zero();
+
+      Eigen::Matrix<double, 1, 6> rate_d_position =
+        Eigen::Matrix<double, 1, 6>::Zero();
+      Eigen::Matrix<double, 1, 6> rate_d_velocity =
+        Eigen::Matrix<double, 1, 6>::Zero();
+      double rate_d_state = 0.;
+    };
+
     /**
      * A revolute joint with clearance: no constraint, but a force while the pin
      * (radius R_i, body 1) touches the bushing (radius R_j, body 2). With
@@ -66,6 +79,9 @@ namespace Tribody
      * @f$ \dot e \cdot (k\times n) - \omega_2 |e| @f$, while there is contact:
      * no term of eq. (9) does, and friction that never reverses does not
      * either.
+     *
+     * A friction law with a state keeps it while there is no contact; a new
+     * contact begins with zero.
      */
     struct ClearanceJoint
     {
@@ -84,6 +100,9 @@ namespace Tribody
       /// Floor of the approach speed [m/s]: also its value for a motion that
       /// starts in contact, where none was seen.
       double minimum_approach_speed;
+      /// Place of the friction law's state among those of the mechanism; -1 if
+      /// it has none.
+      int friction_state_index = -1;
 
       /// As manufactured, R_j - R_i [m].
       double
@@ -97,7 +116,13 @@ namespace Tribody
       compute_contact(const PairVector       &q,
                       const PairVector       &v,
                       const ClearanceProfile &clearance,
-                      const double            approach_speed) const;
+                      const double            approach_speed,
+                      const double            friction_state = 0.) const;
+
+      /// Rate of the friction law's state that belongs to @p contact.
+      double
+      compute_friction_state_rate(const JointContact &contact,
+                                  const double        friction_state) const;
 
       /// delta [m] alone, for root functions.
       double
@@ -109,11 +134,12 @@ namespace Tribody
       compute_force(const PairVector &q, const JointContact &contact) const;
 
       /// Forces with their exact derivatives.
-      PairForce
+      ClearanceForce
       compute_force_with_derivatives(const PairVector       &q,
                                      const PairVector       &v,
                                      const ClearanceProfile &clearance,
-                                     const double approach_speed) const;
+                                     const double            approach_speed,
+                                     const double friction_state = 0.) const;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -10,10 +10,10 @@ namespace Tribody
   namespace Multibody
   {
     /**
-     * One or two scalar equations @f$\Phi(q,t)=0@f$ between two bodies, with
+     * One to three scalar equations @f$\Phi(q,t)=0@f$ between two bodies, with
      * all the derivatives that the equations of motion and their Jacobian
-     * need. It is assumed that @f$\Phi_{qt}=0@f$. With one equation, the second
-     * row of everything is zero.
+     * need. It is assumed that @f$\Phi_{qt}=0@f$. With less than three
+     * equations, the last rows of everything are zero.
      *
      * To add a joint: derive from this class, and make it in
      * Mechanism::add_joint().
@@ -21,7 +21,11 @@ namespace Tribody
     class Constraint
     {
     public:
-      using Jacobian = Eigen::Matrix<double, 2, 6>;
+      static constexpr unsigned int max_equations = 3;
+
+      /// One entry per equation: values or multipliers.
+      using Values   = Eigen::Matrix<double, max_equations, 1>;
+      using Jacobian = Eigen::Matrix<double, max_equations, 6>;
 
       Constraint(const std::string &description,
                  const BodyPair    &bodies,
@@ -34,7 +38,7 @@ namespace Tribody
       virtual ~Constraint() = default;
 
       /// @f$\Phi@f$ [m or rad] at time @p t [s].
-      virtual Eigen::Vector2d
+      virtual Values
       value(const double t, const PairVector &q) const = 0;
 
       /// @f$\Phi_q@f$.
@@ -43,21 +47,20 @@ namespace Tribody
 
       /// @f$\sum_k w_k\,\partial^2\Phi_k/\partial q^2@f$, symmetric.
       virtual PairMatrix
-      weighted_hessian(const PairVector      &q,
-                       const Eigen::Vector2d &weights) const = 0;
+      weighted_hessian(const PairVector &q, const Values &weights) const = 0;
 
       /// @f$\Phi_t@f$.
-      virtual Eigen::Vector2d
+      virtual Values
       time_derivative(const double /*t*/) const
       {
-        return Eigen::Vector2d::Zero();
+        return Values::Zero();
       }
 
       /// @f$\Phi_{tt}@f$.
-      virtual Eigen::Vector2d
+      virtual Values
       second_time_derivative(const double /*t*/) const
       {
-        return Eigen::Vector2d::Zero();
+        return Values::Zero();
       }
 
       /// Whether equation @p i is one between angles [rad], not lengths [m].
@@ -66,8 +69,18 @@ namespace Tribody
 
       /// Force of the first body on the second [N], in global axes.
       virtual Eigen::Vector2d
-      reaction_force(const PairVector      &q,
-                     const Eigen::Vector2d &multipliers) const = 0;
+      reaction_force(const PairVector &q, const Values &multipliers) const = 0;
+
+      /// This constraint's part of all values or multipliers, which begins at
+      /// @p first_row.
+      Values
+      gather(const Eigen::Ref<const Eigen::VectorXd> &global,
+             const unsigned int                       first_row) const
+      {
+        Values local            = Values::Zero();
+        local.head(n_equations) = global.segment(first_row, n_equations);
+        return local;
+      }
 
       /// "Joint crank_pin", as in the parameter file.
       const std::string  description;

@@ -64,10 +64,110 @@ namespace Tribody
     };
 
     /**
+     * Hertz' law with the damping of Hunt and Crossley,
+     * @f[ F_N = K \delta^{3/2} \left[1 + \frac{3(1-e_r)}{2}
+     *     \frac{\dot\delta}{\dot\delta^-}\right] \ge 0, @f]
+     * which takes the restitution coefficient linearly; meant for values near
+     * one. @cite hunt1975.
+     */
+    struct HuntCrossleyLaw
+    {
+      /// K [N/m^1.5].
+      double stiffness;
+      /// e_r [-].
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * Hertz' law with the damping of Flores, Machado, Silva and Martins,
+     * @f[ F_N = K \delta^{3/2} \left[1 + \frac{8(1-e_r)}{5 e_r}
+     *     \frac{\dot\delta}{\dot\delta^-}\right] \ge 0, @f]
+     * made for the whole range of restitution: as e_r falls to zero, the losses
+     * grow without bound. @cite flores2011.
+     */
+    struct FloresLaw
+    {
+      /// K [N/m^1.5].
+      double stiffness;
+      /// e_r [-].
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * The impact pair of Dubowsky and Freudenstein, a linear spring with a
+     * linear damper that cannot pull,
+     * @f[ F_N = k\,\delta + b\,\dot\delta \ge 0. @f]
+     * A mass m that runs into it leaves with @f$ e = \exp(-2 \zeta
+     * \arccos\zeta/\sqrt{1-\zeta^2}) @f$, @f$ \zeta = b/(2\sqrt{k m}) @f$,
+     * whatever its speed. The force jumps by @f$ b\,\dot\delta @f$ when a
+     * contact begins. @cite dubowsky1971.
+     */
+    struct SpringDamperLaw
+    {
+      /// k [N/m].
+      double stiffness;
+      /// b [N s/m].
+      double damping;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * A rigid pin in a bore that is lined with an elastic foundation (Winkler):
+     * springs side by side that do not know each other. At the angle t from
+     * the direction of contact the pin indents it by @f$ u = (c+\delta) \cos t
+     * - c @f$ (linearised in c/R), where that is positive, and
+     * @f$ p = \frac{M}{h} u @f$. The resultant over the arc of half-angle
+     * @f$ t_0 = \arccos\frac{c}{c+\delta} @f$ is, exactly,
+     * @f[ F_N = \frac{M}{h} L R \left[(c+\delta)\,t_0 - c \sin t_0\right],
+     *     \qquad \frac{dF_N}{d\delta} = \frac{M}{h} L R
+     *     \left[t_0 + \sin t_0 \cos t_0\right], @f]
+     * both times the hysteresis factor of LankaraniNikraveshLaw. The clearance
+     * c is that of the bore as manufactured: how closely a worn bore fits the
+     * pin is not told by c(theta). See @cite johnson1985, section 4.3.
+     */
+    struct ElasticFoundationLaw
+    {
+      /// c = R_j - R_i [m].
+      double clearance;
+      /// R = R_j [m].
+      double bore_radius;
+      /// L, along the axis [m].
+      double length;
+      /// M/h [Pa/m]: pressure per indentation.
+      double foundation_modulus;
+      /// e_r [-]; 1: no losses.
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+
+      /// Half-angle t_0 of the arc in contact [rad].
+      double
+      half_angle(const double penetration) const;
+
+      /// p [Pa] at the @p angle t from the direction of contact [rad].
+      double
+      pressure(const double angle, const ContactKinematics &contact) const;
+    };
+
+    /**
      * To add a law: a struct like those above, its name in
      * contact_force_law_names(), its making in make_contact_force_law().
      */
-    using ContactForceLaw = std::variant<HertzLaw, LankaraniNikraveshLaw>;
+    using ContactForceLaw = std::variant<HertzLaw,
+                                         LankaraniNikraveshLaw,
+                                         HuntCrossleyLaw,
+                                         FloresLaw,
+                                         SpringDamperLaw,
+                                         ElasticFoundationLaw>;
 
     /// What can be chosen as "Contact force law".
     std::vector<std::string>
@@ -91,6 +191,13 @@ namespace Tribody
                         const double           normal_force,
                         const double           penetration_rate,
                         const double           approach_speed);
+
+    /**
+     * M [Pa] of a thin layer bonded to a rigid wall, which cannot expand
+     * sideways: @f$ M = \frac{(1-\nu) E}{(1+\nu)(1-2\nu)} @f$.
+     */
+    double
+    compute_layer_modulus(const Material &material);
 
     /**
      * Stiffness K [N/m^1.5] of two spheres of radii R_i and R_j, the convex one

@@ -15,7 +15,8 @@ namespace Tribody
   namespace Multibody
   {
     class CycleRecorder;
-    class MotionIntegrator;
+    class EnergyAccount;
+    class IntermittentMotion;
     struct DutyCycle;
     struct SettlingReport;
     struct StartingState;
@@ -29,9 +30,10 @@ namespace Tribody
      *   const DutyCycle cycle = simulation.run({{"crank_pin", worn_profile}});
      * @endcode
      *
-     * Without degrees of freedom it solves the positions at each sample, and
-     * forces by inverse dynamics. Otherwise it integrates, beginning at rest in
-     * its vibrations, until the joint forces repeat from cycle to cycle.
+     * Unless the parameters choose an analysis: without degrees of freedom it
+     * solves the positions at each sample, and forces by inverse dynamics.
+     * Otherwise it integrates, beginning at rest in its vibrations, until the
+     * joint forces repeat from cycle to cycle.
      */
     class CycleSimulation
     {
@@ -40,8 +42,9 @@ namespace Tribody
        * Assembles the mechanism and estimates the scales of its contacts, once
        * for all runs. Keeps a reference to @p mechanism.
        * @throws ExcParameter for what cannot be assembled, redundant
-       *   constraints, a missing driver, or a crank that cannot make a full
-       *   turn with ideal joints.
+       *   constraints, a missing driver, an analysis that does not fit the
+       *   degrees of freedom, masses that are missing, or a crank that cannot
+       *   make a full turn with ideal joints.
        */
       CycleSimulation(const Mechanism          &mechanism,
                       const DynamicsParameters &parameters);
@@ -70,27 +73,52 @@ namespace Tribody
       collect_clearances(
         const std::map<std::string, ClearanceProfile> &by_name) const;
 
+      void
+      check_analysis() const;
+
+      // Nothing but constraints is asked.
+      bool
+      is_kinematic() const;
+
+      // Time of record k, from half an interval before the first sample on if
+      // the cycle repeats; a motion with a beginning has no time before 0.
+      double
+      record_time(const unsigned int k) const;
+
+      // Kinematics, with inverse dynamics unless it is_kinematic().
       DutyCycle
       run_kinematics(const EquationsOfMotion &equations) const;
 
       DutyCycle
+      run_statics(const EquationsOfMotion &equations) const;
+
+      DutyCycle
       run_dynamics(const EquationsOfMotion &equations) const;
 
-      // Go through one cycle; returns the integration steps taken.
+      // Go through cycles, one or as many as recorder is made for; returns the
+      // integration steps taken.
       unsigned long
-      record_cycle(const double      begins,
-                   MotionIntegrator &integrator,
-                   CycleRecorder    &recorder) const;
+      record_cycles(const double        begins,
+                    const unsigned int  n_cycles,
+                    IntermittentMotion &integrator,
+                    CycleRecorder      &recorder) const;
 
       // Go through cycles until one repeats the one before; the last is left
       // in recorder.
       SettlingReport
-      settle(MotionIntegrator &integrator,
-             CycleRecorder    &recorder,
-             unsigned long    &n_steps_in_cycle) const;
+      settle(IntermittentMotion &integrator,
+             CycleRecorder      &recorder,
+             unsigned long      &n_steps_in_cycle) const;
 
-      // In slow motion if asked for and possible, else centred; the message
-      // of its report says why.
+      // Record as many cycles as are to be averaged, from where settle() ended.
+      DutyCycle
+      record_average(const EquationsOfMotion &equations,
+                     const EnergyAccount     *account,
+                     const unsigned int       n_cycles_before,
+                     IntermittentMotion      &integrator) const;
+
+      // In static equilibrium, or in slow motion if asked for and possible,
+      // else centred; the message of its report says why.
       StartingState
       compute_start(const EquationsOfMotion &equations) const;
 

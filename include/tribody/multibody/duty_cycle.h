@@ -3,8 +3,11 @@
 
 #include <Eigen/Core>
 
+#include <tribody/multibody/contact_interval.h>
+#include <tribody/multibody/energy_record.h>
 #include <tribody/multibody/ida_integrator.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,24 +15,14 @@ namespace Tribody
 {
   namespace Multibody
   {
-    /// What a pin does in its bushing.
-    enum class ContactState
-    {
-      /// No contact.
-      free = 0,
-      /// A contact shorter than the interval between samples.
-      impact = 1,
-      /// Lasting contact.
-      following = 2
-    };
-
     /**
      * One joint over a cycle; one entry per sample. Forces are those of the
      * pin (first body) on the bushing (second body), in global axes.
      *
      * For an ideal revolute joint, the normal force is the whole reaction and
      * the contact where it points; friction, eccentricity and penetration are
-     * zero. A translational joint has forces only.
+     * zero. Other joints have forces only. A kinematic analysis knows no
+     * forces: they are zero.
      */
     struct JointDutyCycle
     {
@@ -56,9 +49,19 @@ namespace Tribody
       Eigen::VectorXd           penetration;
       std::vector<ContactState> state;
 
+      /// Moment on the second body about its marker, the centre of the bushing
+      /// [N m], and where that is in global axes [m].
+      Eigen::VectorXd moment;
+      Eigen::VectorXd point_x;
+      Eigen::VectorXd point_y;
+
       /// Contacts that began and ended in this cycle.
       unsigned int n_onsets = 0;
       unsigned int n_losses = 0;
+      /// All contacts that fall into this cycle, also in part.
+      std::vector<ContactInterval> contacts;
+      /// Parts of the cycle's time in each ContactState [-].
+      std::array<double, 3> state_shares = {{0., 0., 1.}};
       /// Largest force [N] at any integration step since the start of the
       /// motion, its impacts included.
       double peak_force_since_start = 0.;
@@ -67,6 +70,13 @@ namespace Tribody
       /// leaves what alternates and cancels what is smooth [-]. A reversal of
       /// friction counts too.
       double residual_ringing = 0.;
+
+      /// If several cycles were recorded: the mean of their peak forces, and
+      /// the standard deviations from cycle to cycle of peak and mean force
+      /// [N].
+      double mean_peak_force      = 0.;
+      double peak_force_deviation = 0.;
+      double mean_force_deviation = 0.;
 
       /// Magnitude of the total force [N].
       Eigen::VectorXd
@@ -87,9 +97,43 @@ namespace Tribody
       double
       sliding_distance() const;
 
-      /// Part of the samples in @p wanted [-].
+      /// Sample at which the force is largest.
+      Eigen::Index
+      peak_sample() const;
+
+      /// Part of the cycle's time in @p wanted [-].
       double
       share_of(const ContactState wanted) const;
+    };
+
+    /// What a driver transmits over a cycle; one entry per sample. Forces in
+    /// global axes on the driven body.
+    struct DriverDutyCycle
+    {
+      std::string name;
+      /// [N].
+      Eigen::VectorXd force_x;
+      Eigen::VectorXd force_y;
+      /// About the centre of mass of the driven body [N m].
+      Eigen::VectorXd moment;
+      /// Into the mechanism [W].
+      Eigen::VectorXd power;
+    };
+
+    /// Energies over a cycle and how well they are in balance.
+    struct EnergyHistory
+    {
+      /// At each sample [J].
+      Eigen::VectorXd kinetic;
+      Eigen::VectorXd potential;
+      /// Changes since the cycle began, at each sample.
+      std::vector<EnergyRecord> samples;
+      /// Changes over the whole cycle.
+      EnergyRecord cycle;
+      /// Largest error of the balance in this cycle, relative to the largest of
+      /// its terms in this cycle [-]; the same for the whole motion.
+      double relative_error             = 0.;
+      double relative_error_since_start = 0.;
     };
 
     /// How the motion came to repeat itself.
@@ -101,6 +145,9 @@ namespace Tribody
       /// that joint's largest force [-].
       double repeat_difference = 0.;
       bool   converged         = false;
+      /// Cycles that the recorded samples belong to: more than one if the
+      /// motion does not repeat.
+      unsigned int n_averaged_cycles = 1;
       /// What did not go as wished; empty if everything did.
       std::string message;
     };
@@ -119,10 +166,14 @@ namespace Tribody
       /// 360 j / n [deg].
       Eigen::VectorXd             phase;
       std::vector<JointDutyCycle> joints;
-      /// One column per sample: (x, y, phi) of each body [m, rad], and their
-      /// rates.
+      /// One column per sample: (x, y, phi) of each body [m, rad], their rates
+      /// and second derivatives.
       Eigen::MatrixXd coordinates;
       Eigen::MatrixXd velocities;
+      Eigen::MatrixXd accelerations;
+
+      std::vector<DriverDutyCycle> drivers;
+      EnergyHistory                energy;
 
       SettlingReport settling;
       /// Largest entry of Phi at any integration step since the start of the
@@ -131,6 +182,11 @@ namespace Tribody
       /// The whole run, and the recorded cycle alone.
       IntegratorStatistics statistics;
       unsigned long        n_steps_in_cycle = 0;
+
+      /// Make a record of @p n cycles one of an average cycle: every sample
+      /// gets an n-th of its sliding, and the scatter is computed.
+      void
+      average_over(const unsigned int n);
 
       /// @throws ExcMessage if there is no joint @p name.
       const JointDutyCycle &

@@ -12,9 +12,12 @@ namespace Tribody
 {
   namespace Multibody
   {
+    class MatrixEntries;
     class Mechanism;
+    struct MechanismState;
 
-    /// Kinetic and potential energy [J]. Contacts are not included.
+    /// Kinetic and potential energy [J]. Contacts and applied forces are not
+    /// included.
     struct Energy
     {
       double kinetic;
@@ -27,10 +30,20 @@ namespace Tribody
       }
     };
 
+    /// Where the unknowns begin among all, and so the equations for q', M v',
+    /// Phi and its rate.
+    struct FirstIndices
+    {
+      Eigen::Index q;
+      Eigen::Index v;
+      Eigen::Index lambda;
+      Eigen::Index mu;
+    };
+
     /**
      * The terms of the equations of motion of a mechanism whose joints have
      * given clearances,
-     * @f[ M \dot v = Q(q, v) - \Phi_q^T \lambda, \qquad \Phi(q, t) = 0, @f]
+     * @f[ M \dot v = Q(t, q, v) - \Phi_q^T \lambda, \qquad \Phi(q, t) = 0, @f]
      * assembled over its elements. Nothing is allocated here: results are
      * written to what the caller provides.
      */
@@ -67,6 +80,13 @@ namespace Tribody
       void
       assemble_constraint_jacobian(ConstVector q, Matrix phi_q) const;
 
+      /// Add Phi_q to the rows of @p entries from @p first on, and its
+      /// transpose to the columns.
+      void
+      add_constraint_jacobian(ConstVector        q,
+                              const Eigen::Index first,
+                              MatrixEntries     &entries) const;
+
       /// Phi_t, and d(Phi_t)/dt = Phi_tt.
       void
       assemble_time_derivatives(const double t,
@@ -80,34 +100,86 @@ namespace Tribody
                                ConstVector v,
                                Vector      quadratic) const;
 
-      /// Add @p factor times d(Phi_q^T multipliers)/dq to @p matrix.
+      /**
+       * All that the equations of motion in the form of MotionIntegrator
+       * contain of the constraints, in one pass: set @p phi to Phi and
+       * @p phi_rate to Phi_q v + Phi_t, add Phi_q^T lambda to @p forces and
+       * subtract Phi_q^T mu from @p rates.
+       */
       void
-      add_multiplier_derivative(ConstVector  q,
-                                ConstVector  multipliers,
-                                const double factor,
-                                Matrix       matrix) const;
+      assemble_constraint_terms(const double t,
+                                ConstVector  q,
+                                ConstVector  v,
+                                ConstVector  lambda,
+                                ConstVector  mu,
+                                Vector       phi,
+                                Vector       phi_rate,
+                                Vector       forces,
+                                Vector       rates) const;
 
-      /// Add d(Phi_q v)/dq to @p matrix.
+      /// The derivatives of these terms, added to @p entries: rows of the
+      /// equations for q', M v', Phi and its rate, columns of q, v, lambda, mu.
       void
-      add_velocity_derivative(ConstVector q,
-                              ConstVector v,
-                              Matrix      matrix) const;
+      add_constraint_derivatives(ConstVector         q,
+                                 ConstVector         v,
+                                 ConstVector         lambda,
+                                 ConstVector         mu,
+                                 const FirstIndices &first,
+                                 MatrixEntries      &entries) const;
 
-      /// Q(q, v). @p approach_speeds: one per clearance joint [m/s].
+      /// Q(t, q, v). @p approach_speeds: one per clearance joint [m/s].
       void
-      assemble_forces(ConstVector                q,
+      assemble_forces(const double               t,
+                      ConstVector                q,
                       ConstVector                v,
                       const std::vector<double> &approach_speeds,
                       Vector                     forces) const;
 
-      /// Subtract dQ/dq from @p minus_d_position and dQ/dv from
-      /// @p minus_d_velocity.
+      /// The same for a mechanism whose friction laws have the states @p z.
       void
-      subtract_force_derivatives(ConstVector                q,
+      assemble_forces(const double               t,
+                      ConstVector                q,
+                      ConstVector                v,
+                      const std::vector<double> &approach_speeds,
+                      ConstVector                z,
+                      Vector                     forces) const;
+
+      /// z', the rates of the states of the friction laws.
+      void
+      assemble_friction_state_rates(ConstVector                q,
+                                    ConstVector                v,
+                                    const std::vector<double> &approach_speeds,
+                                    ConstVector                z,
+                                    Vector                     rates) const;
+
+      /// Subtract the derivatives of Q with respect to z, and those of z', from
+      /// @p entries. Rows and columns: of Q and q as below; states are counted
+      /// from @p state on in both.
+      void
+      subtract_friction_state_derivatives(
+        ConstVector                q,
+        ConstVector                v,
+        const std::vector<double> &approach_speeds,
+        ConstVector                z,
+        const Eigen::Index         row,
+        const Eigen::Index         q_column,
+        const Eigen::Index         v_column,
+        const Eigen::Index         state,
+        MatrixEntries             &entries) const;
+
+      /// Subtract dQ/dq from @p entries, beginning at (@p row, @p q_column),
+      /// and dQ/dv, beginning at (@p row, @p v_column). States of friction that
+      /// are not given are zero.
+      void
+      subtract_force_derivatives(const double               t,
+                                 ConstVector                q,
                                  ConstVector                v,
                                  const std::vector<double> &approach_speeds,
-                                 Matrix                     minus_d_position,
-                                 Matrix minus_d_velocity) const;
+                                 ConstVector                z,
+                                 const Eigen::Index         row,
+                                 const Eigen::Index         q_column,
+                                 const Eigen::Index         v_column,
+                                 MatrixEntries             &entries) const;
 
       /// Penetration [m] in clearance joint @p joint.
       double
@@ -118,7 +190,13 @@ namespace Tribody
       compute_contact(const unsigned int joint,
                       ConstVector        q,
                       ConstVector        v,
-                      const double       approach_speed) const;
+                      const double       approach_speed,
+                      const double       friction_state = 0.) const;
+
+      /// The same in a state of the mechanism.
+      JointContact
+      compute_contact(const unsigned int    joint,
+                      const MechanismState &state) const;
 
       Energy
       compute_energy(ConstVector q, ConstVector v) const;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <tribody/multibody/matrix_entries.h>
+
 #include <exception>
 #include <functional>
 #include <memory>
@@ -17,18 +19,17 @@ namespace Tribody
     {
       using Vector      = Eigen::Map<Eigen::VectorXd>;
       using ConstVector = Eigen::Map<const Eigen::VectorXd>;
-      using Matrix      = Eigen::Map<Eigen::MatrixXd>;
 
       /// F(t, y, y').
       std::function<
         void(const double, const ConstVector &, const ConstVector &, Vector &)>
         residual;
-      /// dF/dy + c dF/dy', into a matrix that is zero; arguments t, c, y, y'.
+      /// Adds dF/dy + c dF/dy' at (t, c, y, y') to a matrix that is zero.
       std::function<void(const double,
                          const double,
                          const ConstVector &,
                          const ConstVector &,
-                         Matrix &)>
+                         MatrixEntries &)>
         jacobian;
       /// Functions of (t, y) at whose zeros step() stops.
       std::function<void(const double, const ConstVector &, double *)> roots;
@@ -65,10 +66,10 @@ namespace Tribody
     };
 
     /**
-     * IDA of SUNDIALS (BDF of variable order and step) with a dense direct
-     * solver, step by step. Owns everything it allocates in C. An exception
-     * thrown by a function of the system is kept while IDA returns, and thrown
-     * again from step().
+     * IDA of SUNDIALS (BDF of variable order and step) with a direct solver
+     * (IdaLinearSolver), step by step. Owns everything it allocates in C. An
+     * exception thrown by a function of the system is kept while IDA returns,
+     * and thrown again from step().
      */
     class IdaIntegrator
     {
@@ -82,11 +83,13 @@ namespace Tribody
       IdaIntegrator &
       operator=(const IdaIntegrator &) = delete;
 
-      /// (Re)start from consistent values at time @p t.
+      /// (Re)start from consistent values at time @p t. A positive
+      /// @p initial_step takes the place of that of the settings.
       void
       start(const double           t,
             const Eigen::VectorXd &y,
-            const Eigen::VectorXd &y_t);
+            const Eigen::VectorXd &y_t,
+            const double           initial_step = 0.);
 
       /**
        * One internal step, or up to the next zero of a root function.

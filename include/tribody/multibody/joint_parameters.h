@@ -15,20 +15,22 @@ namespace Tribody
   namespace Multibody
   {
     /**
-     * A joint between two bodies: revolute (ideal, or with clearance) or
-     * translational. Entries of the other type are ignored.
+     * A joint between two bodies: revolute (ideal, or with clearance),
+     * translational, rigid, or a point on a line. Entries of other types are
+     * ignored.
      */
     struct JointParameters
     {
       std::string name;
-      /// "revolute" or "translational".
+      /// "revolute", "translational", "rigid" or "point on line".
       std::string type = "revolute";
 
       /// Centre of the pin, "<body>.<marker>".
       std::string pin_marker = "ground.O";
       /// Centre of the bushing, "<body>.<marker>".
       std::string bushing_marker = "ground.O";
-      /// "ideal" or "clearance".
+      /// "ideal", "clearance", "massless link" or "impact". IntermittentMotion
+      /// also uses "following": "impact" while the pin follows the bore.
       std::string model = "ideal";
       /// Pin radius R_i [m].
       double pin_radius = 9.525e-3;
@@ -43,25 +45,51 @@ namespace Tribody
       Material bushing_material;
       /// One of contact_force_law_names().
       std::string contact_force_law = "Lankarani-Nikravesh";
+      /// Stiffness k [N/m] and damping b [N s/m] of the spring-damper.
+      double contact_stiffness = 0.;
+      double contact_damping   = 0.;
+      /// Elastic foundation: length L and thickness h [m], and modulus M [Pa];
+      /// 0: that of the bushing's material.
+      double foundation_length    = 20e-3;
+      double foundation_thickness = 5e-3;
+      double foundation_modulus   = 0.;
       /// Restitution coefficient e_r [-], in (0, 1].
       double restitution_coefficient = 0.8;
       /// Floor of the approach speed at which a contact began [m/s].
       double minimum_approach_speed = 10e-3;
+      /// Approach speed [m/s] below which a pin does not bounce any more
+      /// (model "impact").
+      double capture_speed = 1e-3;
       /// One of friction_law_names().
       std::string friction_law = "Coulomb regularised";
       /// Friction coefficient [-].
       double friction_coefficient = 0.15;
       /// Speed v_0 in tanh(v_t/v_0) [m/s].
       double friction_regularisation_speed = 1e-3;
+      /// Speeds [m/s] below which there is no friction and above which there
+      /// is all of it (Ambrosio).
+      double friction_lower_speed = 0.1e-3;
+      double friction_upper_speed = 1e-3;
+      /// Static friction coefficient [-] and the speed v_s [m/s] over which it
+      /// falls (Stribeck, LuGre).
+      double static_friction_coefficient = 0.2;
+      double stribeck_speed              = 10e-3;
+      /// sigma_2 [s/m] (Stribeck, LuGre).
+      double viscous_friction = 0.;
+      /// sigma_0 [1/m] and sigma_1 [s/m] (LuGre).
+      double bristle_stiffness = 1e5;
+      double bristle_damping   = 10.;
       /// Damping of the pin's sideways swing in the bore [N s/m].
       double tangential_damping = 0.;
 
-      /// Markers of a translational joint, "<body>.<marker>".
+      /// Markers of a joint that is not revolute, "<body>.<marker>".
       std::string first_marker  = "ground.O";
       std::string second_marker = "ground.O";
-      /// Direction of the axis in the first body's frame [rad].
+      /// Translational, point on line: direction in the first body's frame
+      /// [rad].
       double axis_angle = 0.;
-      /// Angle of the second body relative to the first [rad].
+      /// Translational, rigid: angle of the second body relative to the first
+      /// [rad].
       double relative_angle = 0.;
 
       /// Declares in the current subsection, "Joint <name>".
@@ -82,6 +110,13 @@ namespace Tribody
       has_clearance() const
       {
         return is_revolute() && model == "clearance";
+      }
+
+      /// Whether the radii of pin and bushing matter to the motion.
+      bool
+      has_gap() const
+      {
+        return is_revolute() && model != "ideal";
       }
     };
   } // namespace Multibody

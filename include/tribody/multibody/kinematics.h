@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace Tribody
 {
   struct SolverReport;
@@ -53,6 +55,22 @@ namespace Tribody
                        const ConstraintOffsets &offsets,
                        const Eigen::VectorXd   &q);
 
+    /// The velocities nearest to the initial ones of the parameters (in the
+    /// same sense) with Phi_q v + Phi_t = 0.
+    Eigen::VectorXd
+    compute_initial_velocities(const EquationsOfMotion &equations,
+                               const double             t,
+                               const Eigen::VectorXd   &q);
+
+    /// The smallest accelerations that Phi_q a + (Phi_q v)_q v + Phi_tt = 0
+    /// allows: eq. (5) of @cite mukras2010. Without degrees of freedom they are
+    /// the accelerations, whatever the masses are.
+    Eigen::VectorXd
+    compute_kinematic_accelerations(const EquationsOfMotion &equations,
+                                    const double             t,
+                                    const Eigen::VectorXd   &q,
+                                    const Eigen::VectorXd   &v);
+
     /**
      * Accelerations and multipliers from
      * @f[ \begin{pmatrix} M & \Phi_q^T \\ \Phi_q & 0 \end{pmatrix}
@@ -83,7 +101,8 @@ namespace Tribody
      * Kinematics and inverse dynamics of a mechanism without degrees of freedom
      * and without clearance joints at time @p t: positions near @p q_guess,
      * then everything else in turn. @p extra_forces are added to gravity and
-     * springs. @throws ExcRun if there is no such position.
+     * springs. @throws ExcRun if there is no such position, naming the joint
+     *   that cannot be closed.
      */
     Motion
     solve_motion(const EquationsOfMotion &equations,
@@ -101,13 +120,35 @@ namespace Tribody
     assemble_configuration(const EquationsOfMotion &equations, const double t);
 
     /**
-     * Make sure that a mechanism without degrees of freedom has a position at
-     * each of @p n_steps equal steps through one cycle from time 0 on. @throws
-     * ExcParameter with the angle of the first driver at which it locks.
+     * Make sure that a mechanism without degrees of freedom has a position, and
+     * not a singular one, at each of @p n_steps equal steps through the time
+     * @p period from time 0 on. @throws ExcParameter with where the drivers are
+     * when it locks, and the joints.
      */
     void
     check_full_cycle(const EquationsOfMotion &equations,
+                     const double             period,
                      const unsigned int       n_steps);
+
+    /**
+     * Make sure that the accelerations are determined: what the constraints
+     * leave free at @p q must have a mass. @throws ExcParameter naming a body
+     * without.
+     */
+    void
+    check_masses(const EquationsOfMotion &equations, const Eigen::VectorXd &q);
+
+    /**
+     * Why a motion may have ended that was at @p q at time @p t and has not
+     * reached the time @p t_next: joints that cannot be closed any more, or
+     * whose constraints have become dependent. A sentence that begins with a
+     * blank; empty if neither is the case.
+     */
+    std::string
+    explain_end_of_motion(const EquationsOfMotion &equations,
+                          const double             t,
+                          const double             t_next,
+                          const Eigen::VectorXd   &q);
 
     /**
      * Make sure that no constraint follows from the others at @p q (rank of

@@ -3,7 +3,9 @@
 
 #include <tribody/multibody/body_parameters.h>
 #include <tribody/multibody/driver_parameters.h>
+#include <tribody/multibody/force_parameters.h>
 #include <tribody/multibody/joint_parameters.h>
+#include <tribody/multibody/rotational_spring_parameters.h>
 #include <tribody/multibody/spring_parameters.h>
 
 #include <vector>
@@ -15,11 +17,14 @@ namespace Tribody
     /// Everything that defines a mechanism, by names.
     struct MechanismParameters
     {
-      GroundParameters              ground;
-      std::vector<BodyParameters>   bodies;
-      std::vector<JointParameters>  joints;
-      std::vector<SpringParameters> springs;
-      std::vector<DriverParameters> drivers;
+      GroundParameters                        ground;
+      std::vector<BodyParameters>             bodies;
+      std::vector<JointParameters>            joints;
+      std::vector<SpringParameters>           springs;
+      std::vector<RotationalSpringParameters> rotational_springs;
+      std::vector<DriverParameters>           drivers;
+      std::vector<ForceParameters>            forces;
+      std::vector<TorqueParameters>           torques;
       /// Acceleration of gravity [m/s^2].
       dealii::Point<2> gravity;
 

@@ -20,6 +20,8 @@ namespace Tribody
       /// Approach speed at which the present or last contact of each clearance
       /// joint began [m/s].
       std::vector<double> approach_speeds;
+      /// States z of the friction laws that have one [m].
+      Eigen::VectorXd friction_states = Eigen::VectorXd();
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -19,15 +19,15 @@ namespace Tribody
                          const Marker      &first,
                          const Marker      &second);
 
-      Eigen::Vector2d
+      Values
       value(const double t, const PairVector &q) const override;
 
       Jacobian
       jacobian(const PairVector &q) const override;
 
       PairMatrix
-      weighted_hessian(const PairVector      &q,
-                       const Eigen::Vector2d &weights) const override;
+      weighted_hessian(const PairVector &q,
+                       const Values     &weights) const override;
 
       bool
       is_angle(const unsigned int /*i*/) const override
@@ -36,8 +36,8 @@ namespace Tribody
       }
 
       Eigen::Vector2d
-      reaction_force(const PairVector      &q,
-                     const Eigen::Vector2d &multipliers) const override;
+      reaction_force(const PairVector &q,
+                     const Values     &multipliers) const override;
 
     private:
       const Eigen::Vector2d s_1;

@@ -18,9 +18,12 @@ namespace Tribody
     };
 
     /// Every pin in the middle of its bushing, with the velocities of ideal
-    /// joints. @p closed: the equations with ideal joints.
+    /// joints; at the end of a massless link, which points where the reaction
+    /// of an ideal joint does. @p closed: the equations with ideal joints.
     StartingState
-    compute_centred_start(const EquationsOfMotion &closed, const double t_0);
+    compute_centred_start(const EquationsOfMotion &equations,
+                          const EquationsOfMotion &closed,
+                          const double             t_0);
 
     /**
      * A start without vibration. With each pin at a prescribed eccentricity
@@ -30,7 +33,9 @@ namespace Tribody
      * and e'' are known by differentiation, and all clearance joints at once.
      * The iteration contracts because the contact is much stiffer than the
      * motion is fast. It need not where forces reverse or bores are worn: then
-     * the report says that it has not converged. @throws ExcRun if the
+     * the report says that it has not converged. Pins of massless links and of
+     * joints with impacts are sought at the distance of the clearance, in the
+     * direction of the reaction. @throws ExcRun if the
      * mechanism has no position with the pins at such an e(t).
      *
      * @param equations with clearance joints; @param closed with ideal ones.

@@ -1,16 +1,16 @@
 #ifndef tribody_multibody_translational_constraint_h
 #define tribody_multibody_translational_constraint_h
 
-#include <tribody/multibody/constraint.h>
+#include <tribody/multibody/point_on_line_constraint.h>
 
 namespace Tribody
 {
   namespace Multibody
   {
     /**
-     * A translational joint: the second marker stays on an axis through the
-     * first, fixed in the first body at the angle @f$\beta@f$, and the angle
-     * between the bodies is locked. With @f$u@f$ the direction of the axis,
+     * A translational joint: the second marker stays on a line through the
+     * first, fixed in the first body (see PointOnLineConstraint), and the angle
+     * between the bodies is locked,
      * @f[ \Phi = \begin{pmatrix} (k \times u) \cdot (p_2 - p_1) \\
      *     \varphi_2 - \varphi_1 - \varphi_{rel} \end{pmatrix} = 0. @f]
      */
@@ -24,15 +24,15 @@ namespace Tribody
                               const double       axis_angle,
                               const double       relative_angle);
 
-      Eigen::Vector2d
+      Values
       value(const double t, const PairVector &q) const override;
 
       Jacobian
       jacobian(const PairVector &q) const override;
 
       PairMatrix
-      weighted_hessian(const PairVector      &q,
-                       const Eigen::Vector2d &weights) const override;
+      weighted_hessian(const PairVector &q,
+                       const Values     &weights) const override;
 
       bool
       is_angle(const unsigned int i) const override
@@ -41,17 +41,12 @@ namespace Tribody
       }
 
       Eigen::Vector2d
-      reaction_force(const PairVector      &q,
-                     const Eigen::Vector2d &multipliers) const override;
+      reaction_force(const PairVector &q,
+                     const Values     &multipliers) const override;
 
     private:
-      Eigen::Vector2d
-      axis(const PairVector &q) const;
-
-      const Eigen::Vector2d s_1;
-      const Eigen::Vector2d s_2;
-      const double          axis_angle;
-      const double          relative_angle;
+      const PointOnLineConstraint line;
+      const double                relative_angle;
     };
   } // namespace Multibody
 } // namespace Tribody

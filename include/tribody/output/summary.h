@@ -41,16 +41,64 @@ namespace Tribody
     /// What a run says of one joint; forces of the last duty cycle.
     struct JointSummary
     {
-      std::string    name;
-      bool           has_clearance     = false;
-      bool           has_bushing       = false;
-      double         peak_force        = 0.;
-      double         mean_force        = 0.;
-      double         mean_normal_force = 0.;
-      double         sliding_per_cycle = 0.;
-      double         clearance         = 0.; ///< largest, worn [m]
-      unsigned int   contact_losses    = 0;  ///< in all recorded cycles
+      std::string name;
+      bool        has_clearance     = false;
+      bool        has_bushing       = false;
+      double      peak_force        = 0.;
+      double      peak_phase        = 0.; ///< where that occurs [deg]
+      double      mean_force        = 0.;
+      double      mean_normal_force = 0.;
+      /// If several cycles were averaged: mean of their peak forces, and the
+      /// standard deviations from cycle to cycle [N].
+      double       mean_peak_force      = 0.;
+      double       peak_force_deviation = 0.;
+      double       mean_force_deviation = 0.;
+      double       sliding_per_cycle    = 0.;
+      double       clearance            = 0.; ///< largest, worn [m]
+      unsigned int contact_losses       = 0;  ///< in all recorded cycles
+      /// Of the last recorded cycle, parts of its time: free flight, impacts,
+      /// lasting contact.
+      double share_free      = 0.;
+      double share_impact    = 0.;
+      double share_following = 1.;
+      /// Contacts that began and ended in it, and the largest approach speed of
+      /// those that began [m/s].
+      unsigned int n_onsets           = 0;
+      unsigned int n_losses           = 0;
+      double       max_approach_speed = 0.;
+      /// Largest force since the start of the motion [N].
+      double peak_force_since_start = 0.;
+      double residual_ringing       = 0.; ///< relative to the peak [-]
+      /// Energy that the contact takes in a cycle [J], if known.
+      double         normal_loss   = 0.;
+      double         friction_loss = 0.;
       BushingSummary bushing;
+    };
+
+    /// What a run says of its last cycle of dynamics as a whole.
+    struct DynamicsSummary
+    {
+      /// Cycles until the motion repeated, the recorded one included.
+      unsigned int settling_cycles = 0;
+      /// Cycles that the results are over; more than one if it did not repeat.
+      unsigned int averaged_cycles = 1;
+      /// Integration: of the whole motion, and steps of the recorded cycle.
+      unsigned long n_steps          = 0;
+      unsigned long n_steps_in_cycle = 0;
+      unsigned long n_residuals      = 0;
+      unsigned long n_jacobians      = 0;
+      unsigned long n_restarts       = 0;
+      /// Whether the energies below are known.
+      bool has_energy = false;
+      /// Work of drivers and forces, and what was dissipated, in the recorded
+      /// cycle [J].
+      double work        = 0.;
+      double dissipated  = 0.;
+      double damper_loss = 0.;
+      /// Largest error of the energy balance relative to its largest term [-]:
+      /// in the recorded cycle and in the motion as a whole.
+      double energy_balance_relative_error             = 0.;
+      double energy_balance_relative_error_since_start = 0.;
     };
 
     /// summary.json.
@@ -61,10 +109,12 @@ namespace Tribody
       std::string status = "failed";
       /// Why it did not complete; empty otherwise.
       std::string message;
-      double      cycles            = 0.;
-      double      wall_time         = 0.;
-      double      cpu_time          = 0.;
-      double      peak_memory_bytes = 0.;
+      double      cycles = 0.;
+      /// Whether there was no wear to be computed.
+      bool   is_dynamics_only  = false;
+      double wall_time         = 0.;
+      double cpu_time          = 0.;
+      double peak_memory_bytes = 0.;
 
       unsigned int wear_steps        = 0;
       unsigned int rate_evaluations  = 0;
@@ -73,6 +123,7 @@ namespace Tribody
       unsigned int compliance_builds = 0;
 
       std::vector<JointSummary> joints;
+      DynamicsSummary           dynamics;
 
       /// Estimated relative error of the largest maximum depth left by the
       /// wear steps [-].
