@@ -109,8 +109,13 @@ namespace Tribody
         auto       &active   = solution.active_set;
         double      length   = 1.;
         std::size_t blocking = active.size();
+        if (active.empty())
+          return length;
+        // A node that the balance of forces leaves with nothing but rounding
+        // does not pull; released, it would come back for ever.
+        const double nothing = -1e-13 * target.lpNorm<Eigen::Infinity>();
         for (std::size_t k = 0; k < active.size(); ++k)
-          if (target[k] < 0.)
+          if (target[k] < nothing)
             {
               const double old  = solution.nodal_force[active[k]];
               const double stop = old / (old - target[k]);

@@ -103,22 +103,31 @@ namespace Tribody
     double
     peak_pressure(const ContactSolution &solution, const BoreSurface &surface)
     {
-      // Least squares over equidistant points (Savitzky and Golay, 1964).
+      // Exact for cubics, zero for what alternates from node to node.
       const Eigen::Index           n       = surface.n_nodes();
-      constexpr std::array<int, 5> weights = {{-3, 12, 17, 12, -3}};
+      constexpr std::array<int, 5> weights = {{-1, 4, 10, 4, -1}};
       double                       peak    = 0.;
       for (const Eigen::Index i : solution.active_set)
         {
-          double fitted     = 0.;
-          bool   surrounded = true;
+          std::array<double, 5> p;
+          double                fitted     = 0.;
+          bool                  surrounded = true;
           for (int k = 0; k < 5; ++k)
             {
-              const double p = solution.pressure[(i + k - 2 + n) % n];
-              fitted += weights[k] / 35. * p;
-              surrounded = surrounded && p > 0.;
+              p[k] = solution.pressure[(i + k - 2 + n) % n];
+              fitted += weights[k] / 16. * p[k];
+              surrounded = surrounded && p[k] > 0.;
             }
-          if (surrounded)
-            peak = std::max(peak, fitted);
+          if (!surrounded)
+            continue;
+          // The top of the parabola, if it lies nearer to this node than to
+          // another one; differences over an even number of nodes do not see
+          // what alternates.
+          const double slope     = 0.5 * (p[3] - p[1]);
+          const double curvature = 0.25 * (p[4] - 2. * p[2] + p[0]);
+          if (curvature < 0. && std::abs(slope) <= -0.5 * curvature)
+            fitted -= 0.5 * slope * slope / curvature;
+          peak = std::max(peak, fitted);
         }
       return peak > 0. ? peak : solution.pressure.maxCoeff();
     }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace Tribody
 {
@@ -21,6 +22,28 @@ namespace Tribody
         report.converged = false;
         report.message   = message;
         return report;
+      }
+
+      /// Nodes that follow each other.
+      struct Arc
+      {
+        Eigen::Index begin;
+        Eigen::Index length;
+      };
+
+      /// The nodes that are chosen, as few arcs as they make.
+      std::vector<Arc>
+      find_arcs(const std::vector<bool> &chosen)
+      {
+        std::vector<Arc> arcs;
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+          if (chosen[i])
+            {
+              if (i == 0 || !chosen[i - 1])
+                arcs.push_back({static_cast<Eigen::Index>(i), 0});
+              ++arcs.back().length;
+            }
+        return arcs;
       }
     } // namespace
 
@@ -48,13 +71,21 @@ namespace Tribody
         {
           Iterate untouched;
           untouched.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
-          evaluate_gap(untouched);
+          evaluate_gap(untouched, Rows::all);
           if (untouched.gap.minCoeff() >= 0.)
             return make_solution(untouched, {true, 0, 0., ""});
         }
 
       Iterate      iterate = first_iterate(force_per_length, warm_start);
       SolverReport report  = iterate_pin_and_forces(force_per_length, iterate);
+      if (!report.converged && iterate.is_warm)
+        {
+          // What it was started from has nothing to do with this force.
+          const unsigned int n_before = report.n_iterations;
+          iterate = first_iterate(force_per_length, nullptr);
+          report  = iterate_pin_and_forces(force_per_length, iterate);
+          report.n_iterations += n_before;
+        }
       if (!report.converged)
         {
           iterate.pin_centre.setZero();
@@ -88,9 +119,12 @@ namespace Tribody
       Iterate iterate;
       iterate.pin_centre  = pin_centre;
       iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
-      evaluate_gap(iterate);
+      evaluate_gap(iterate, Rows::near);
       if (warm_start != nullptr)
-        iterate.active_set = warm_start->active_set;
+        {
+          iterate.active_set = warm_start->active_set;
+          iterate.is_warm    = true;
+        }
       SolverReport report = iterate_forces(iterate);
       if (!report.converged && solve_programme(nullptr, iterate))
         {
@@ -98,6 +132,8 @@ namespace Tribody
           report                      = iterate_forces(iterate);
           report.n_iterations += n_before + 1;
         }
+      if (!report.converged)
+        evaluate_gap(iterate, Rows::all);
       return make_solution(iterate, report);
     }
 
@@ -113,6 +149,7 @@ namespace Tribody
           iterate.pin_centre  = warm_start->pin_centre;
           iterate.nodal_force = warm_start->nodal_force;
           iterate.active_set  = warm_start->active_set;
+          iterate.is_warm     = true;
         }
       else
         {
@@ -123,19 +160,36 @@ namespace Tribody
             if (surface.normals.col(i).dot(force) >= 0.5 * force.norm())
               iterate.active_set.push_back(i);
         }
-      iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
+      evaluate_gap(iterate, Rows::near);
       return iterate;
     }
 
 
 
     void
-    ContactSolver::evaluate_gap(Iterate &iterate) const
+    ContactSolver::evaluate_gap(Iterate &iterate, const Rows rows) const
     {
       iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
-      iterate.gap.setZero(surface.n_nodes());
+      // Near is where the pin overlaps the undeformed bore, and a little more.
+      const double      limit = (rows == Rows::all)
+                                  ? std::numeric_limits<double>::max()
+                                  : -0.1 * iterate.pin.gap.minCoeff();
+      std::vector<bool> is_active(surface.n_nodes(), false);
       for (const Eigen::Index i : iterate.active_set)
-        iterate.gap += iterate.nodal_force[i] * compliance.col(i);
+        is_active[i] = true;
+      const auto active_arcs = find_arcs(is_active);
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        is_active[i] = is_active[i] || iterate.pin.gap[i] < limit;
+
+      iterate.gap.setZero(surface.n_nodes());
+      for (const Arc &row : find_arcs(is_active))
+        for (const Arc &column : active_arcs)
+          iterate.gap.segment(row.begin, row.length).noalias() +=
+            compliance.block(row.begin,
+                             column.begin,
+                             row.length,
+                             column.length) *
+            iterate.nodal_force.segment(column.begin, column.length);
       // A distance is known to a few roundings only; under forces so small
       // that the bore yields less than that, this is all there is.
       iterate.gap_tolerance =
@@ -152,6 +206,7 @@ namespace Tribody
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
+      unsigned int        n_unchanged = 0;
       while (report.n_iterations < parameters.max_iterations)
         {
           ++report.n_iterations;
@@ -162,7 +217,7 @@ namespace Tribody
               !(iterate.pin_centre.norm() < pin_radius))
             return failure(report, "the pin left the bore");
 
-          evaluate_gap(iterate);
+          evaluate_gap(iterate, Rows::near);
           const double imbalance =
             (iterate.pin.directions * iterate.nodal_force - force).norm() /
             iterate.nodal_force.lpNorm<1>();
@@ -174,17 +229,28 @@ namespace Tribody
             return failure(report, "one node does not hold the pin");
 
           ActiveSet active = next_active_set(iterate);
+          if (active == iterate.active_set &&
+              report.residual <= parameters.tolerance)
+            {
+              evaluate_gap(iterate, Rows::all);
+              active = next_active_set(iterate);
+            }
           if (active != iterate.active_set)
             {
               if (!visited.insert(iterate.active_set).second)
                 return failure(report, "the active sets repeat themselves");
-              iterate.active_set = std::move(active);
+              change_active_set(std::move(active), iterate);
+              n_unchanged = 0;
             }
           else if (report.residual <= parameters.tolerance)
             {
               report.converged = true;
               return report;
             }
+          // Newton's method needs no more than three iterations then, unless
+          // what is solved with has gone bad.
+          else if (++n_unchanged > 3 && active_compliance.refresh(compliance))
+            n_unchanged = 0;
         }
       return failure(report, "no convergence");
     }
@@ -194,9 +260,10 @@ namespace Tribody
     void
     ContactSolver::newton_step(const Eigen::Vector2d &force, Iterate &iterate)
     {
-      // With y = C_A^{-1} m_A and z = C_A^{-1} g^0_A:
-      //   lambda_A = y d - z,   (m_A^T y + H) d = f + m_A^T z,
-      // H = d(sum lambda_i m_i)/de.
+      // With y = C_A^{-1} m_A and z = C_A^{-1} g_A, the changes are
+      //   dlambda_A = y d - z,   (m_A^T y + H) d = f - m_A^T (lambda_A - z),
+      // H = d(sum lambda_i m_i)/de. As changes they correct the rounding errors
+      // of the iteration before.
       const PinGap      &pin    = iterate.pin;
       const auto        &active = iterate.active_set;
       const Eigen::Index n      = active.size();
@@ -206,11 +273,11 @@ namespace Tribody
         {
           const Eigen::Index    i = active[k];
           const Eigen::Vector2d m = pin.directions.col(i);
-          right_hand_sides.row(k) << m[0], m[1], pin.gap[i];
+          right_hand_sides.row(k) << m[0], m[1], iterate.gap[i];
           geometric -= iterate.nodal_force[i] / pin.distances[i] *
                        (Eigen::Matrix2d::Identity() - m * m.transpose());
         }
-      active_compliance.update(compliance, active);
+      active_compliance.update(compliance, active, iterate.is_warm);
       const Eigen::MatrixX3d yz = active_compliance.solve(right_hand_sides);
       const auto             m  = right_hand_sides.leftCols<2>();
       const auto             y  = yz.leftCols<2>();
@@ -220,16 +287,15 @@ namespace Tribody
       const Eigen::Matrix2d inverse =
         (n == 1) ? balancing
                  : Eigen::Matrix2d((stiffness + geometric).inverse());
-      const Eigen::Vector2d step =
-        inverse * (force + m.transpose() * yz.col(2));
+      Eigen::VectorXd       forces = iterate.nodal_force(active) - yz.col(2);
+      const Eigen::Vector2d step   = inverse * (force - m.transpose() * forces);
 
-      Eigen::VectorXd forces = y * step - yz.col(2);
+      forces += y * step;
       // The difference of two large terms balances the force to their rounding
       // only; what is missing is far less than a rounding of the pin's place.
       const Eigen::Vector2d balance =
         force - geometric * step - m.transpose() * forces;
       forces += y * (balancing * balance);
-      iterate.nodal_force.setZero();
       iterate.nodal_force(active) = forces;
       iterate.pin_centre += step;
     }
@@ -241,31 +307,42 @@ namespace Tribody
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
+      unsigned int        n_unchanged = 0;
       if (iterate.active_set.empty())
         iterate.active_set = next_active_set(iterate);
       while (report.n_iterations < parameters.max_iterations)
         {
           ++report.n_iterations;
           const auto &active = iterate.active_set;
-          iterate.nodal_force.setZero();
           if (!active.empty())
             {
-              active_compliance.update(compliance, active);
-              const Eigen::VectorXd forces =
-                -active_compliance.solve(iterate.pin.gap(active));
-              iterate.nodal_force(active) = forces;
+              active_compliance.update(compliance, active, iterate.is_warm);
+              const Eigen::VectorXd change =
+                active_compliance.solve(iterate.gap(active));
+              iterate.nodal_force(active) -= change;
             }
-          evaluate_gap(iterate);
+          evaluate_gap(iterate, Rows::near);
           report.residual = relative_gap(iterate);
           ActiveSet next  = next_active_set(iterate);
           if (next == active)
             {
+              evaluate_gap(iterate, Rows::all);
+              next = next_active_set(iterate);
+            }
+          if (next != active)
+            {
+              if (!visited.insert(active).second)
+                return failure(report, "the active sets repeat themselves");
+              change_active_set(std::move(next), iterate);
+              n_unchanged = 0;
+            }
+          else if (report.residual <= parameters.tolerance ||
+                   (++n_unchanged > 2 &&
+                    !active_compliance.refresh(compliance)))
+            {
               report.converged = true;
               return report;
             }
-          if (!visited.insert(active).second)
-            return failure(report, "the active sets repeat themselves");
-          iterate.active_set = std::move(next);
         }
       return failure(report, "no convergence");
     }
@@ -295,8 +372,28 @@ namespace Tribody
           iterate.nodal_force = solution.nodal_force;
           iterate.active_set  = solution.active_set;
         }
-      evaluate_gap(iterate);
+      evaluate_gap(iterate, Rows::all);
       return usable;
+    }
+
+
+
+    void
+    ContactSolver::change_active_set(ActiveSet next, Iterate &iterate) const
+    {
+      // What is released pulls no longer.
+      auto kept = next.begin();
+      for (const Eigen::Index i : iterate.active_set)
+        {
+          while (kept != next.end() && *kept < i)
+            ++kept;
+          if (kept == next.end() || *kept != i)
+            {
+              iterate.gap -= iterate.nodal_force[i] * compliance.col(i);
+              iterate.nodal_force[i] = 0.;
+            }
+        }
+      iterate.active_set = std::move(next);
     }
 
 

@@ -4,6 +4,7 @@
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/coupling/bushing_parameters.h>
+#include <tribody/multibody/joint_parameters.h>
 
 namespace Tribody
 {
@@ -34,6 +35,24 @@ namespace Tribody
         {"plane strain", "plane stress"},
         "Plane strain for a bushing that is long, or held, "
         "along its axis; plane stress for a thin one.");
+      Parameters::add_choice(
+        prm,
+        "Pin",
+        pin,
+        {"automatic", "rigid", "elastic"},
+        "Whether the pin deforms in the contact: 'elastic' gives it the "
+        "elasticity of a disc of the joint's pin material; 'automatic' does so "
+        "unless its Young's modulus is more than 100 times the bushing's, and "
+        "the log says which. The pin's place is then the mean place of its "
+        "cross section.");
+      Parameters::add_quantity(prm,
+                               "Pin hole radius",
+                               pin_hole_radius,
+                               "m",
+                               "Radius of the hole in a hollow pin, free of "
+                               "forces; 0: a solid pin. It matters if the pin "
+                               "is elastic.",
+                               "mm");
       Parameters::add_integer(prm,
                               "Element degree",
                               element_degree,
@@ -108,19 +127,27 @@ namespace Tribody
 
 
     void
-    BushingParameters::check(const double bore_radius) const
+    BushingParameters::check(const Multibody::JointParameters &joint) const
     {
       const std::string path = "Bushing " + name + "/";
       AssertThrow(axial_length > 0.,
                   ExcParameter(path + "Axial length",
                                Units::to_string(axial_length, "m", "mm") +
                                  " must be positive"));
-      AssertThrow(outer_radius > bore_radius,
-                  ExcParameter(path + "Outer radius",
-                               Units::to_string(outer_radius, "m", "mm") +
-                                 " must be larger than the bushing radius of "
-                                 "the joint, " +
-                                 Units::to_string(bore_radius, "m", "mm")));
+      AssertThrow(
+        outer_radius > joint.bushing_radius,
+        ExcParameter(path + "Outer radius",
+                     Units::to_string(outer_radius, "m", "mm") +
+                       " must be larger than the bushing radius of "
+                       "the joint, " +
+                       Units::to_string(joint.bushing_radius, "m", "mm")));
+      AssertThrow(
+        pin_hole_radius >= 0. && pin_hole_radius < joint.pin_radius,
+        ExcParameter(path + "Pin hole radius",
+                     Units::to_string(pin_hole_radius, "m", "mm") +
+                       " is not between 0 and the pin radius of the "
+                       "joint, " +
+                       Units::to_string(joint.pin_radius, "m", "mm")));
       AssertThrow(
         wear_coefficient >= 0.,
         ExcParameter(path + "Wear coefficient",
@@ -136,6 +163,18 @@ namespace Tribody
                                  "must not be negative; 0 means no limit"));
       mesh.check(path + "Mesh");
       contact_solver.check(path + "Contact solver");
+    }
+
+
+
+    bool
+    BushingParameters::pin_is_elastic(
+      const Multibody::JointParameters &joint) const
+    {
+      return pin == "elastic" ||
+             (pin == "automatic" &&
+              joint.pin_material.youngs_modulus <=
+                100. * joint.bushing_material.youngs_modulus);
     }
   } // namespace Coupling
 } // namespace Tribody

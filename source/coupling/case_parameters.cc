@@ -401,7 +401,7 @@ namespace Tribody
         parameters.mechanism.check();
 
         for (const BushingParameters &bushing : parameters.bushings)
-          bushing.check(parameters.joint(bushing.name).bushing_radius);
+          bushing.check(parameters.joint(bushing.name));
 
         AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),
                     ExcParameter("Cycles",

@@ -5,6 +5,7 @@
 #include <tribody/base/interruption.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
+#include <tribody/multibody/significant_digits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +108,14 @@ namespace Tribody
       for (const WearingBushing &bushing : bushings)
         out << "Bushing " << bushing.name() << ": "
             << bushing.node_angles().size() << " bore nodes, clearance "
-            << 1e3 * bushing.clearance_profile().mean() << " mm" << std::endl;
+            << 1e3 * bushing.clearance_profile().mean() << " mm, "
+            << (bushing.has_elastic_pin() ? "elastic" : "rigid")
+            << " pin (modulus "
+            << Multibody::significant_digits(
+                 bushing.joint_parameters().pin_material.youngs_modulus /
+                   bushing.joint_parameters().bushing_material.youngs_modulus,
+                 3)
+            << " times the bushing's)" << std::endl;
     }
 
 

@@ -1,13 +1,16 @@
 #include <deal.II/base/utilities.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/vector.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/coupling/wearing_bushing.h>
+#include <tribody/elasticity/pin_elasticity.h>
 #include <tribody/elasticity/stress_postprocessor.h>
 #include <tribody/multibody/duty_cycle.h>
 #include <tribody/output/bushing_vtu.h>
+#include <tribody/surface/turned_interpolation.h>
 #include <tribody/wear/archard_law.h>
 #include <tribody/wear/constant_extrapolation.h>
 
@@ -72,7 +75,31 @@ namespace Tribody
       , wear_profile(make_profile(geometry.bore_nodes()))
       , surface(wear_profile.surface())
     {
+      if (parameters.pin_is_elastic(joint))
+        setup_pin();
       update_compliance();
+    }
+
+
+
+    void
+    WearingBushing::setup_pin()
+    {
+      dealii::Triangulation<2> mesh;
+      Elasticity::make_pin_mesh(parameters.mesh,
+                                parameters.pin_hole_radius,
+                                joint.pin_radius,
+                                mesh);
+      Elasticity::PinElasticity pin(mesh,
+                                    parameters.element_degree,
+                                    joint.pin_material,
+                                    plane_state(parameters.plane_state));
+      pin.reinit(dealii::MappingQ<2>(parameters.element_degree));
+      pin_surface = make_bore_surface(pin.surface_nodes().positions,
+                                      parameters.element_degree);
+      pin_compliance =
+        pin.normal_compliance(pin.surface_nodes().radial_directions(),
+                              Elasticity::RingSymmetry::cells_alike);
     }
 
 
@@ -209,7 +236,18 @@ namespace Tribody
     WearingBushing::update_compliance()
     {
       elasticity.reinit(geometry.mapping());
-      compliance          = elasticity.normal_compliance(surface.normals);
+      const bool is_unworn = wear_profile.depth.isZero(0.);
+      compliance =
+        elasticity.normal_compliance(surface.normals,
+                                     is_unworn
+                                       ? Elasticity::RingSymmetry::cells_alike
+                                       : Elasticity::RingSymmetry::none);
+      if (has_elastic_pin())
+        {
+          const Eigen::MatrixXd P =
+            make_turned_interpolation(surface, pin_surface, /*angle = */ 0.);
+          compliance += P.transpose() * pin_compliance * P;
+        }
       depth_at_compliance = wear_profile.depth;
       ++n_builds;
     }

@@ -1,5 +1,6 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <tribody/base/exceptions.h>
@@ -7,6 +8,8 @@
 #include <tribody/base/units.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/surface/boundary_ids.h>
+
+#include <cmath>
 
 namespace Tribody
 {
@@ -69,6 +72,43 @@ namespace Tribody
                                                      parameters.grading,
                                                      parameters.n_bore_cells,
                                                      /*colorize = */ true);
+    }
+
+
+
+    void
+    make_pin_mesh(const RingMeshParameters    &parameters,
+                  const double                 hole_radius,
+                  const double                 radius,
+                  dealii::Triangulation<2, 2> &triangulation)
+    {
+      const double inner = (hole_radius > 0.) ? hole_radius : 1e-3 * radius;
+      dealii::GridGenerator::concentric_hyper_shells(triangulation,
+                                                     dealii::Point<2>(),
+                                                     inner,
+                                                     radius,
+                                                     parameters.n_radial_cells,
+                                                     /*skewness = */ 0.,
+                                                     parameters.n_bore_cells,
+                                                     /*colorize = */ true);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            face->set_boundary_id(face->boundary_id() == 1
+                                    ? BoundaryIds::pin_surface
+                                    : BoundaryIds::free);
+      const double gamma = parameters.grading;
+      if (gamma > 0.)
+        dealii::GridTools::transform(
+          [&](const dealii::Point<2> &x) {
+            const double r     = x.norm();
+            const double depth = (radius - r) / (radius - inner);
+            const double graded =
+              1. - std::tanh(gamma * (1. - depth)) / std::tanh(gamma);
+            return dealii::Point<2>(x * (radius - graded * (radius - inner)) /
+                                    r);
+          },
+          triangulation);
     }
   } // namespace Elasticity
 } // namespace Tribody

@@ -5,12 +5,12 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/surface/bore_nodes.h>
-#include <tribody/surface/boundary_ids.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
 namespace Tribody
 {
@@ -49,7 +49,8 @@ namespace Tribody
     };
 
     BoreFaces
-    collect_bore_faces(const dealii::DoFHandler<2> &dof_handler)
+    collect_bore_faces(const dealii::DoFHandler<2>     &dof_handler,
+                       const dealii::types::boundary_id boundary_id)
     {
       const auto        &fe = dof_handler.get_fe();
       const unsigned int n  = fe.n_dofs_per_face();
@@ -66,7 +67,7 @@ namespace Tribody
       BoreFaces faces;
       for (const auto &cell : dof_handler.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && face->boundary_id() == BoundaryIds::bore)
+          if (face->at_boundary() && face->boundary_id() == boundary_id)
             {
               fe_face_values.reinit(cell, face);
               face->get_dof_indices(dofs);
@@ -117,9 +118,10 @@ namespace Tribody
     }
 
     void
-    check_closed(const std::vector<Node> &nodes,
-                 const BoreFaces         &faces,
-                 const unsigned int       degree)
+    check_closed(const std::vector<Node>         &nodes,
+                 const BoreFaces                 &faces,
+                 const unsigned int               degree,
+                 const dealii::types::boundary_id boundary_id)
     {
       bool closed =
         faces.ends.size() >= 3 && nodes.size() == degree * faces.ends.size();
@@ -133,8 +135,10 @@ namespace Tribody
                      std::minmax(nodes[i].x_dof, nodes[next].x_dof)) == 1;
         }
       AssertThrow(closed,
-                  ExcRun("The boundary of the mesh with the bore's indicator " +
-                         std::to_string(BoundaryIds::bore) +
+                  ExcRun("The boundary of the mesh with the " +
+                         std::string(boundary_id == BoundaryIds::bore ? "bore"
+                                                                      : "pin") +
+                         "'s indicator " + std::to_string(boundary_id) +
                          " is not one closed curve around the origin (" +
                          std::to_string(faces.ends.size()) + " faces, " +
                          std::to_string(nodes.size()) + " nodes)."));
@@ -152,12 +156,13 @@ namespace Tribody
 
 
   BoreNodes
-  make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler)
+  make_bore_nodes(const dealii::DoFHandler<2, 2>  &dof_handler,
+                  const dealii::types::boundary_id boundary_id)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
-    const BoreFaces    faces  = collect_bore_faces(dof_handler);
+    const BoreFaces    faces  = collect_bore_faces(dof_handler, boundary_id);
     const auto         nodes  = sort_nodes(faces);
-    check_closed(nodes, faces, degree);
+    check_closed(nodes, faces, degree, boundary_id);
 
     BoreNodes bore_nodes;
     bore_nodes.degree = degree;

@@ -176,6 +176,36 @@ check_directions(const double depth, const double shoulder)
             << " (only if round)" << std::endl;
 }
 
+/// Through a node, from starts all around, by Newton's iteration and by the
+/// programme: a force through a node leaves its neighbours with nothing when
+/// two nodes carry it.
+void
+check_far_starts()
+{
+  const BoreSurface       bore = make_bore(0.);
+  const Eigen::MatrixXd   C    = make_compliance();
+  ContactSolver           solver(bore, C, pin_radius);
+  ContactSolverParameters one_iteration;
+  one_iteration.max_iterations = 1;
+  ContactSolver slow_solver(bore, C, pin_radius, one_iteration);
+
+  const Eigen::Vector2d f     = at_angle(1000., 0.);
+  const auto            s     = solver.solve_force_controlled(f);
+  unsigned int          n_bad = 0;
+  for (unsigned int k = 0; k < 36; ++k)
+    {
+      const auto start =
+        solver.solve_force_controlled(at_angle(500., 2. * M_PI * k / 36));
+      const auto warm = solver.solve_force_controlled(f, &start);
+      n_bad += !warm.report.converged || !(difference(warm, s) < 1e-10);
+    }
+  const auto slow = slow_solver.solve_force_controlled(f);
+  std::cout << "force through a node: failed from " << n_bad
+            << " of 36 starts, programme "
+            << (slow.report.converged && difference(slow, s) < 1e-9)
+            << std::endl;
+}
+
 void
 check_extremes()
 {
@@ -304,6 +334,7 @@ main()
       check_bore(0.3e-3, shoulder);
       check_directions(0.3e-3, shoulder);
     }
+  check_far_starts();
   check_extremes();
   check_reading();
   test_sensitivity(make_compliance());

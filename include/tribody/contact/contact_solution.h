@@ -57,10 +57,11 @@ namespace Tribody
                        const BoreSurface     &surface);
 
     /**
-     * The largest contact pressure [Pa]: the parabola that fits five nodes in
-     * contact best, taken at the middle one. What a single node shows above its
-     * neighbours is discretisation error, most of all at the edge of contact,
-     * where no five nodes in contact surround it; a smooth peak is kept.
+     * The largest contact pressure [Pa]: that of a smooth curve through five
+     * nodes in contact, at the top of its parabola. What alternates from node
+     * to node is discretisation error (vertices and midpoints of quadratic
+     * cells do) and does not count, nor does a spike at the edge of contact,
+     * where no five nodes in contact surround it.
      * If no five neighbours are in contact, the nodes are all there is.
      */
     double

@@ -26,13 +26,13 @@ namespace Tribody
      * Method: primal-dual active set, which is Newton's method for the
      * conditions above (@cite hintermueller2002), with the second derivative
      * of the gap in its matrix: the contact force as a function of e is
-     * differentiated exactly. Each iteration factorises C of the nodes in
-     * contact (kept if they did not change). If an active set comes back, or
+     * differentiated exactly. Each iteration needs C of the nodes in
+     * contact, inverted: see ActiveCompliance. If an active set comes back, or
      * after max_iterations, a ContactProgramme is solved instead, once
      * if the pin is fixed, else repeatedly, linearised about its last result.
      *
-     * The object keeps the last factor: use one per thread; results do not
-     * depend on what was solved before.
+     * The object keeps the last inverse: use one per thread. Results depend on
+     * what was solved before by less than the tolerance.
      */
     class ContactSolver
     {
@@ -77,14 +77,25 @@ namespace Tribody
         Eigen::VectorXd gap;
         /// Gaps above minus this count as not negative [m].
         double gap_tolerance;
+        /// Begun from a similar solution, so that the nodes change little.
+        bool is_warm = false;
       };
 
       Iterate
       first_iterate(const Eigen::Vector2d &force,
                     const ContactSolution *warm_start) const;
 
+      /// Which gaps to compute with their elastic part: all of them, or those
+      /// of nodes in contact and near it.
+      enum class Rows
+      {
+        near,
+        all
+      };
+
+      /// Far rows get the rigid gap, which is open there.
       void
-      evaluate_gap(Iterate &iterate) const;
+      evaluate_gap(Iterate &iterate, const Rows rows) const;
 
       SolverReport
       iterate_pin_and_forces(const Eigen::Vector2d &force, Iterate &iterate);
@@ -97,6 +108,10 @@ namespace Tribody
 
       bool
       solve_programme(const Eigen::Vector2d *force, Iterate &iterate) const;
+
+      /// Take the nodes in contact, and the forces from those released.
+      void
+      change_active_set(ActiveSet next, Iterate &iterate) const;
 
       /**
        * Nodes in contact stay as long as they are pressed, others enter when

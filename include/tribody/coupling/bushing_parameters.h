@@ -14,6 +14,11 @@ namespace dealii
 
 namespace Tribody
 {
+  namespace Multibody
+  {
+    struct JointParameters;
+  }
+
   namespace Coupling
   {
     /// When the life of a bushing is over; zero: no limit.
@@ -47,6 +52,10 @@ namespace Tribody
       unsigned int element_degree = 2;
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
+      /// "automatic", "rigid" or "elastic".
+      std::string pin = "automatic";
+      /// Radius of the hole in the pin [m]; 0: none.
+      double pin_hole_radius = 0.;
       /// When the contact problem counts as solved.
       Contact::ContactSolverParameters contact_solver;
       /// Archard's k [Pa^-1].
@@ -59,10 +68,15 @@ namespace Tribody
       void
       add_parameters(dealii::ParameterHandler &prm);
 
-      /// @param bore_radius of the joint [m].
+      /// @param joint that the bushing belongs to.
       /// @throws ExcParameter with paths that start with "Bushing <name>".
       void
-      check(const double bore_radius) const;
+      check(const Multibody::JointParameters &joint) const;
+
+      /// Whether the pin of @p joint is elastic: if asked for, or if its
+      /// modulus is not more than 100 times the bushing's.
+      bool
+      pin_is_elastic(const Multibody::JointParameters &joint) const;
     };
   } // namespace Coupling
 } // namespace Tribody

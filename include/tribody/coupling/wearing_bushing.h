@@ -54,7 +54,11 @@ namespace Tribody
 
     /**
      * The bushing of one joint: an elastic ring whose bore wears. Its state is
-     * the wear profile; mesh, worn geometry and compliance follow from it.
+     * the wear profile; mesh, worn geometry and compliance follow from it. If
+     * the pin is elastic, its compliance is added to that of the bore,
+     * @f$ C = C_b + P^T C_p P @f$ with P of make_turned_interpolation(). The
+     * pin does not wear, so it looks the same from all sides and P needs no
+     * angle.
      *
      * Two operations make up the chain: compute_cycle_contact() turns joint
      * forces and sliding into pressure and wear per cycle, wear_by() turns wear
@@ -148,6 +152,12 @@ namespace Tribody
         return n_builds;
       }
 
+      bool
+      has_elastic_pin() const
+      {
+        return pin_compliance.size() > 0;
+      }
+
       const BushingParameters &
       bushing_parameters() const
       {
@@ -163,6 +173,9 @@ namespace Tribody
     private:
       void
       update_compliance();
+
+      void
+      setup_pin();
 
       Eigen::Vector2d
       force_per_length(const Multibody::JointDutyCycle &cycle,
@@ -181,7 +194,12 @@ namespace Tribody
       Elasticity::BushingElasticity elasticity;
       Wear::WearProfile             wear_profile;
 
-      BoreSurface     surface;
+      /// Of the elastic pin; empty if it is rigid.
+      BoreSurface     pin_surface;
+      Eigen::MatrixXd pin_compliance;
+
+      BoreSurface surface;
+      /// Of bore and pin, at the bore nodes.
       Eigen::MatrixXd compliance;
       Eigen::VectorXd depth_at_compliance;
       unsigned int    n_builds = 0;

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <tribody/elasticity/plane_state.h>
+#include <tribody/elasticity/surface_compliance.h>
 #include <tribody/surface/bore_nodes.h>
 
 #include <memory>
@@ -64,10 +65,13 @@ namespace Tribody
        * needs to know about the bushing.
        *
        * @param normals unit vectors, one column for each bore node.
+       * @param symmetry of mesh and geometry; with cells that are all alike,
+       *   one column per node of a cell is solved for.
        * @throws ExcRun if the result is not symmetric to rounding.
        */
       Eigen::MatrixXd
-      normal_compliance(const Eigen::Matrix2Xd &normals) const;
+      normal_compliance(const Eigen::Matrix2Xd &normals,
+                        const RingSymmetry symmetry = RingSymmetry::none) const;
 
       /// Displacement [m] under forces at the bore nodes [N/m], one column
       /// each.
@@ -101,9 +105,6 @@ namespace Tribody
       }
 
     private:
-      void
-      assemble(const dealii::Mapping<2, 2> &mapping);
-
       PlaneHooke                             law;
       dealii::FESystem<2>                    fe;
       dealii::DoFHandler<2, 2>               dof_handler;

@@ -49,6 +49,22 @@ namespace Tribody
                    const double                 inner_radius,
                    const double                 outer_radius,
                    dealii::Triangulation<2, 2> &triangulation);
+
+    /**
+     * Mesh the cross section of a pin, @p hole_radius < |x| < @p radius [m],
+     * with the same number of cells around as the bore and layers that shrink
+     * towards its surface by the same rule. The surface has
+     * BoundaryIds::pin_surface, the hole BoundaryIds::free.
+     *
+     * A solid pin (@p hole_radius = 0) gets a hole of a thousandth of its
+     * radius, by which all cells around are alike: it makes the pin more
+     * compliant by a few parts in a million.
+     */
+    void
+    make_pin_mesh(const RingMeshParameters    &parameters,
+                  const double                 hole_radius,
+                  const double                 radius,
+                  dealii::Triangulation<2, 2> &triangulation);
   } // namespace Elasticity
 } // namespace Tribody
 

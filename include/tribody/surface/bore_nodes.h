@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <tribody/surface/boundary_ids.h>
+
 #include <vector>
 
 namespace dealii
@@ -17,8 +19,8 @@ namespace Tribody
 {
   /**
    * The nodes of a vector-valued Lagrange element on the bore of a bushing
-   * mesh, counter-clockwise. Node 0 is a vertex of the mesh; with elements of
-   * degree p every p-th node is one.
+   * mesh, or on the outside of a pin's mesh, counter-clockwise. Node 0 is a
+   * vertex of the mesh; with elements of degree p every p-th node is one.
    */
   struct BoreNodes
   {
@@ -49,11 +51,14 @@ namespace Tribody
    * Collect the bore nodes of @p dof_handler, whose element must be
    * FESystem<2>(FE_Q<2>(p), 2). Positions are those of the mesh's manifold
    * (exactly on the circle), whatever mapping is used later.
-   * @throws ExcRun if the boundary with the bore's id is not one closed curve
-   *   around the origin.
+   * @param boundary_id BoundaryIds::pin_surface for the outside of a pin.
+   * @throws ExcRun if the boundary with this id is not one closed curve around
+   *   the origin.
    */
   BoreNodes
-  make_bore_nodes(const dealii::DoFHandler<2, 2> &dof_handler);
+  make_bore_nodes(
+    const dealii::DoFHandler<2, 2>  &dof_handler,
+    const dealii::types::boundary_id boundary_id = BoundaryIds::bore);
 } // namespace Tribody
 
 #endif

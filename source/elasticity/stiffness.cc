@@ -1,0 +1,81 @@
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <tribody/elasticity/stiffness.h>
+
+namespace Tribody
+{
+  namespace Elasticity
+  {
+    namespace
+    {
+      /// The stiffness of one cell; the element's basis is scalar times unit
+      /// vector, so that every strain has one row of the gradient only.
+      void
+      compute_cell_matrix(const dealii::FEValues<2>  &fe_values,
+                          const PlaneHooke           &law,
+                          dealii::FullMatrix<double> &cell_matrix)
+      {
+        const auto        &fe = fe_values.get_fe();
+        const unsigned int n  = fe.n_dofs_per_cell();
+        cell_matrix           = 0.;
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const unsigned int c = fe.system_to_component_index(i).first;
+              const auto grad_i = fe_values.shape_grad(i, q) * fe_values.JxW(q);
+              for (unsigned int j = 0; j <= i; ++j)
+                {
+                  const unsigned int d = fe.system_to_component_index(j).first;
+                  const auto        &grad_j = fe_values.shape_grad(j, q);
+                  cell_matrix(i, j) += law.lambda * grad_i[c] * grad_j[d] +
+                                       law.mu * grad_i[d] * grad_j[c];
+                  if (c == d)
+                    cell_matrix(i, j) += law.mu * (grad_i * grad_j);
+                }
+            }
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < i; ++j)
+            cell_matrix(j, i) = cell_matrix(i, j);
+      }
+    } // namespace
+
+
+
+    void
+    assemble_stiffness(const dealii::Mapping<2, 2>             &mapping,
+                       const dealii::DoFHandler<2, 2>          &dof_handler,
+                       const dealii::AffineConstraints<double> &constraints,
+                       const PlaneHooke                        &law,
+                       dealii::TrilinosWrappers::SparseMatrix  &matrix)
+    {
+      matrix         = 0.;
+      const auto &fe = dof_handler.get_fe();
+      // One order more than affine cells need: the cells at the bore are
+      // curved.
+      const dealii::QGauss<2>    quadrature(fe.degree + 1);
+      dealii::FEValues<2>        fe_values(mapping,
+                                    fe,
+                                    quadrature,
+                                    dealii::update_gradients |
+                                      dealii::update_JxW_values);
+      dealii::FullMatrix<double> cell_matrix(fe.n_dofs_per_cell(),
+                                             fe.n_dofs_per_cell());
+      std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          fe_values.reinit(cell);
+          compute_cell_matrix(fe_values, law, cell_matrix);
+          cell->get_dof_indices(dofs);
+          constraints.distribute_local_to_global(cell_matrix, dofs, matrix);
+        }
+      matrix.compress(dealii::VectorOperation::add);
+    }
+  } // namespace Elasticity
+} // namespace Tribody

@@ -1,0 +1,230 @@
+// Contact on finite element compliances beside closed forms.
+//
+// Persson (1964): a disc in the hole of an infinite plate of the same material
+// (reference/persson.csv of the project, four digits): half-angle within 0.3
+// degrees, peak pressure and integral of the pressure within 0.3 %. The plate
+// here ends at 100 radii, which leaves 1e-4; the clearance is 1e-4 of the
+// radius, and so is what the theory neglects. With half as many cells the
+// half-angles are read to 0.6 degrees only (node distance 2 degrees), so that
+// the sum of errors is larger. The pin is turned by 0.3 rad against the
+// bushing, or not: its nodes then lie elsewhere, the pressure must not change
+// by more than 0.1 % of the peak away from the edge of contact.
+//
+// Hertz: the same with E' dR/Q = 1000, half-angle 3 degrees: peak within 0.5 %
+// (the next term of the series is 0.1 %). The width is read from the pressures
+// to a node distance of 0.25 degrees, 8 % of it.
+//
+// A thin bonded layer (0.3 % of the radius) under a rigid pin is a Winkler
+// foundation of stiffness k = E (1-nu)/((1+nu)(1-2 nu) t): p = k (d cos t - c)
+// on cos t > c/d, so that F = k R (d (t + sin t cos t) - 2 c sin t) per length.
+// Within 1 %; the theory neglects t/R times a number of order one.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/tria.h>
+
+#include <tribody/contact/contact_solver.h>
+#include <tribody/elasticity/bushing_elasticity.h>
+#include <tribody/elasticity/pin_elasticity.h>
+#include <tribody/elasticity/ring_mesh.h>
+#include <tribody/surface/turned_interpolation.h>
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+using namespace Tribody;
+using namespace Tribody::Elasticity;
+
+constexpr unsigned int degree = 2;
+constexpr double       R      = 10e-3;
+const Material         material{"both", 1e9, 0.3, 1000.};
+const double           plane_modulus = 1e9 / (1. - 0.3 * 0.3);
+
+struct Bushing
+{
+  Bushing(const RingMeshParameters &mesh, const double outer_radius)
+  {
+    dealii::Triangulation<2> triangulation;
+    make_ring_mesh(mesh, R, outer_radius, triangulation);
+    BushingElasticity elasticity(triangulation,
+                                 degree,
+                                 material,
+                                 PlaneState::strain);
+    elasticity.reinit(dealii::MappingQ<2>(degree));
+    surface = make_bore_surface(elasticity.bore_nodes().positions, degree);
+    compliance =
+      elasticity.normal_compliance(surface.normals, RingSymmetry::cells_alike);
+  }
+
+  BoreSurface     surface;
+  Eigen::MatrixXd compliance;
+};
+
+struct Pin
+{
+  explicit Pin(const RingMeshParameters &mesh)
+  {
+    dealii::Triangulation<2> triangulation;
+    make_pin_mesh(mesh, 0., R, triangulation);
+    PinElasticity elasticity(triangulation,
+                             degree,
+                             material,
+                             PlaneState::strain);
+    elasticity.reinit(dealii::MappingQ<2>(degree));
+    surface = make_bore_surface(elasticity.surface_nodes().positions, degree);
+    compliance = elasticity.normal_compliance(
+      elasticity.surface_nodes().radial_directions(),
+      RingSymmetry::cells_alike);
+  }
+
+  BoreSurface     surface;
+  Eigen::MatrixXd compliance;
+};
+
+struct PerssonRow
+{
+  double stiffness_ratio, half_angle, peak, integral;
+};
+
+const PerssonRow persson[] = {{0., 84.83, 0.5996, 1.3062},
+                              {0.1, 80.92, 0.6090, 1.2772},
+                              {0.2, 77.57, 0.6191, 1.2535},
+                              {0.5, 69.74, 0.6508, 1.2024},
+                              {1., 60.93, 0.7046, 1.1522},
+                              {2., 50.42, 0.8059, 1.1022},
+                              {5., 36.34, 1.0590, 1.0519}};
+
+Contact::ContactSolution
+solve_persson(const Bushing         &bushing,
+              const Eigen::MatrixXd &compliance,
+              const double           stiffness_ratio,
+              double                &load)
+{
+  const double clearance = (stiffness_ratio == 0.) ? 0. : 1e-4 * R;
+  load                   = (stiffness_ratio == 0.) ? 1e-4 * plane_modulus * R
+                                                   : plane_modulus * clearance / stiffness_ratio;
+  Contact::ContactSolver solver(bushing.surface, compliance, R - clearance);
+  return solver.solve_force_controlled({load, 0.});
+}
+
+void
+check_persson(const unsigned int n_cells)
+{
+  RingMeshParameters plate{n_cells, n_cells * 2 / 9, 3.};
+  RingMeshParameters disc{n_cells, n_cells / 18, 1.5};
+  const Bushing      bushing(plate, 100. * R);
+  const Pin          pin(disc);
+  Eigen::MatrixXd    compliance[2];
+  for (const unsigned int turned : {0, 1})
+    {
+      const Eigen::MatrixXd P =
+        make_turned_interpolation(bushing.surface, pin.surface, 0.3 * turned);
+      compliance[turned] =
+        bushing.compliance + P.transpose() * pin.compliance * P;
+    }
+
+  std::cout << "Persson, " << bushing.surface.n_nodes() << " bore nodes"
+            << std::endl;
+  double sum_of_errors = 0.;
+  for (const PerssonRow &row : persson)
+    {
+      double     load;
+      const auto s =
+        solve_persson(bushing, compliance[0], row.stiffness_ratio, load);
+      const auto turned =
+        solve_persson(bushing, compliance[1], row.stiffness_ratio, load);
+      const double peak = Contact::peak_pressure(s, bushing.surface);
+      const double half_angle_error =
+        180. / M_PI * s.half_angle - row.half_angle;
+      const double peak_error = 100. * (peak * R / load / row.peak - 1.);
+      const double integral_error =
+        100. * (s.nodal_force.sum() / load / row.integral - 1.);
+      double difference = 0.;
+      for (Eigen::Index i = 0; i < s.pressure.size(); ++i)
+        if (s.pressure[i] > 0.5 * peak)
+          difference =
+            std::max(difference, std::abs(turned.pressure[i] - s.pressure[i]));
+      sum_of_errors += std::abs(peak_error) + std::abs(half_angle_error);
+      std::cout << "  E' dR/Q = " << row.stiffness_ratio << ": converged "
+                << s.report.converged << turned.report.converged
+                << ", half-angle off by " << half_angle_error
+                << " deg, peak by " << peak_error << " %, integral by "
+                << integral_error << " %, within limits "
+                << (std::abs(half_angle_error) < 0.3 &&
+                    std::abs(peak_error) < 0.3 &&
+                    std::abs(integral_error) < 0.3)
+                << ", turned pin: pressure differs by "
+                << 100. * difference / peak << " % of the peak" << std::endl;
+    }
+  std::cout << "  sum of errors " << sum_of_errors << std::endl;
+}
+
+void
+check_hertz()
+{
+  const Bushing bushing({720, 16, 3.5}, 10. * R);
+  const Pin     pin({720, 12, 2.5});
+  // The same nodes on both sides: nothing to interpolate.
+  const Eigen::MatrixXd  compliance = bushing.compliance + pin.compliance;
+  const double           clearance  = 1e-3 * R;
+  const double           load       = 1e-3 * plane_modulus * clearance;
+  Contact::ContactSolver solver(bushing.surface, compliance, R - clearance);
+  const auto             s = solver.solve_force_controlled({load, 0.});
+  const double a  = std::sqrt(4. * load * R * (R - clearance) / clearance /
+                             (M_PI * 0.5 * plane_modulus));
+  const double p0 = 2. * load / (M_PI * a);
+  const double peak_error =
+    100. * (Contact::peak_pressure(s, bushing.surface) / p0 - 1.);
+  const double width_error = 100. * (s.half_angle * R / a - 1.);
+  std::cout << "Hertz: converged " << s.report.converged << ", half-angle "
+            << 180. / M_PI * s.half_angle << " deg, peak off by " << peak_error
+            << " %, width by " << width_error << " %, peak within 0.5 % "
+            << (std::abs(peak_error) < 0.5) << std::endl;
+}
+
+void
+check_bonded_layer()
+{
+  const double  thickness = 3e-3 * R;
+  const Bushing bushing({720, 3, 0.}, R + thickness);
+  const double  nu        = material.poissons_ratio;
+  const double  stiffness = material.youngs_modulus * (1. - nu) /
+                           ((1. + nu) * (1. - 2. * nu) * thickness);
+  const double clearance = 1e-4 * R;
+  for (const double half_angle : {30., 60.})
+    {
+      const double t = half_angle * M_PI / 180.;
+      const double d = clearance / std::cos(t);
+      const double load =
+        stiffness * R *
+        (d * (t + std::sin(t) * std::cos(t)) - 2. * clearance * std::sin(t));
+      Contact::ContactSolver solver(bushing.surface,
+                                    bushing.compliance,
+                                    R - clearance);
+      const auto             s = solver.solve_force_controlled({load, 0.});
+      const double           peak_error =
+        100. * (Contact::peak_pressure(s, bushing.surface) /
+                  (stiffness * (d - clearance)) -
+                1.);
+      const double place_error = 100. * (s.pin_centre[0] / d - 1.);
+      std::cout << "bonded layer, half-angle " << half_angle << ": converged "
+                << s.report.converged << ", half-angle off by "
+                << 180. / M_PI * s.half_angle - half_angle << " deg, peak by "
+                << peak_error << " %, pin by " << place_error
+                << " %, within 1 % "
+                << (std::abs(peak_error) < 1. && std::abs(place_error) < 1.)
+                << std::endl;
+    }
+}
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::cout << std::fixed << std::setprecision(3);
+  check_persson(90);
+  check_persson(180);
+  check_hertz();
+  check_bonded_layer();
+}
