@@ -145,6 +145,7 @@ run(const Case        &benchmark,
   dynamics.samples_per_cycle       = n_samples;
   dynamics.settling_tolerance      = 1e-300;
   dynamics.maximum_settling_cycles = n_cycles - 1;
+  dynamics.averaged_cycles         = 1;
   dynamics.maximum_steps_per_cycle = 100000000;
   const Mechanism       mechanism(benchmark.mechanism);
   const CycleSimulation simulation(mechanism, dynamics);

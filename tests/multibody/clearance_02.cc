@@ -22,6 +22,7 @@ crank_pin()
   dynamics.maximum_order           = 5;
   dynamics.start                   = "centred";
   dynamics.maximum_settling_cycles = 1;
+  dynamics.averaged_cycles         = 1;
   // So that the peak is met.
   dynamics.samples_per_cycle = 1440;
   const Mechanism       mechanism(p);
@@ -48,6 +49,7 @@ wrist_pin()
   add_steel_clearance(p, 2, 25e-3);
   DynamicsParameters dynamics;
   dynamics.maximum_settling_cycles = 1;
+  dynamics.averaged_cycles         = 1;
   dynamics.samples_per_cycle       = 360;
   const Mechanism       mechanism(p);
   const DutyCycle       cycle = CycleSimulation(mechanism, dynamics).run();

@@ -75,6 +75,7 @@ five_millimetres(const std::string &model, const std::string &start)
   dynamics.accuracy                = 1e-5;
   dynamics.samples_per_cycle       = 3600;
   dynamics.maximum_settling_cycles = 1;
+  dynamics.averaged_cycles         = 1;
   if (start == "centred")
     dynamics.maximum_order = 5;
   const Mechanism       mechanism(steel_with(model, 5e-3));
