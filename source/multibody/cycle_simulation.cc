@@ -308,17 +308,17 @@ namespace Tribody
                                    IntermittentMotion &integrator,
                                    CycleRecorder      &recorder) const
     {
-      const unsigned int  n       = parameters.samples_per_cycle;
-      const unsigned long n_steps = integrator.statistics().n_steps;
-      unsigned long       n_taken = 0;
+      const unsigned int  n         = parameters.samples_per_cycle;
+      const unsigned long n_steps   = integrator.statistics().n_steps;
+      const unsigned long n_allowed = static_cast<unsigned long>(n_cycles) *
+                                      parameters.maximum_steps_per_cycle;
+      unsigned long n_taken = 0;
       for (unsigned int k = 0; k <= 2 * n * n_cycles; ++k)
         {
           // The first cycle lacks the half interval before time 0.
           const double          t = std::max(0., begins + k * period / (2 * n));
           const MechanismState &state =
-            integrator.advance_to(t,
-                                  n_cycles * parameters.maximum_steps_per_cycle,
-                                  n_taken);
+            integrator.advance_to(t, n_allowed, n_taken);
           recorder.record(k, state, integrator.present_equations());
           n_taken = integrator.statistics().n_steps - n_steps;
         }

@@ -89,10 +89,10 @@ namespace Tribody
     {
       settling.n_averaged_cycles = n;
       period /= n;
-      for (Eigen::Index s = 0; s < phase.size(); ++s)
-        phase(s) = std::fmod(n * phase(s), 360.);
       const Eigen::Index n_samples = phase.size() / n;
-      const auto         deviation = [](const Eigen::VectorXd &x) {
+      for (Eigen::Index s = 0; s < phase.size(); ++s)
+        phase(s) = 360. * (s % n_samples) / n_samples;
+      const auto deviation = [](const Eigen::VectorXd &x) {
         return std::sqrt((x.array() - x.mean()).square().sum() /
                          std::max<Eigen::Index>(1, x.size() - 1));
       };

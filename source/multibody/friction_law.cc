@@ -71,7 +71,7 @@ namespace Tribody
     double
     AmbrosioFriction::transition_speed() const
     {
-      return coefficient > 0 ? upper_speed : infinity;
+      return coefficient > 0 ? upper_speed - lower_speed : infinity;
     }
 
 

@@ -196,10 +196,20 @@ namespace Tribody
           impulse = sticking;
           if (!(std::abs(sticking(1)) <= mu * sticking(0)))
             {
-              const double signed_mu =
-                std::copysign(mu, speeds(1) != 0 ? speeds(1) : sticking(1));
-              impulse(0) =
-                change / (inverse_mass(0, 0) + signed_mu * inverse_mass(0, 1));
+              // Towards sticking: the normal impulse may turn the sliding
+              // around before it ends.
+              const double signed_mu = std::copysign(mu, sticking(1));
+              const double inverse =
+                inverse_mass(0, 0) + signed_mu * inverse_mass(0, 1);
+              AssertThrow(
+                inverse > 0,
+                ExcRun("At time " + significant_digits(state.time, 6) +
+                       " s friction jams the impact in " + joint_name(joint) +
+                       ": its friction coefficient of " +
+                       significant_digits(mu) +
+                       " is too large for the position of the "
+                       "bodies there."));
+              impulse(0) = change / inverse;
               impulse(1) = signed_mu * impulse(0);
             }
         }
@@ -274,15 +284,15 @@ namespace Tribody
       for (const unsigned int k : integrator.stops())
         if (combination[k])
           combination[k] = false;
-      Combination captured = combination;
+      // One after the other: those that are captured are held in the impacts of
+      // the next.
       for (const unsigned int k : integrator.stops())
         if (!present_combination[k])
           {
-            has_hit[k]  = true;
-            captured[k] = collide(k, combination, state);
+            has_hit[k]             = true;
+            const bool is_captured = collide(k, combination, state);
+            combination[k]         = is_captured;
           }
-      for (unsigned int k = 0; k < combination.size(); ++k)
-        combination[k] = combination[k] || (has_hit[k] && captured[k]);
       combination = without_tension(combination, state);
 
       for (unsigned int k = 0; k < combination.size(); ++k)
