@@ -56,6 +56,7 @@ steel_drift()
   // A tolerance that is never met keeps it going.
   dynamics.settling_tolerance      = 1e-12;
   dynamics.maximum_settling_cycles = 99;
+  dynamics.averaged_cycles         = 1;
   const Mechanism mechanism(p);
   const DutyCycle cycle = CycleSimulation(mechanism, dynamics).run();
   std::cout << "100 cycles: " << cycle.settling.n_cycles << ", settled "

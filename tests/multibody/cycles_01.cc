@@ -16,9 +16,9 @@
 // with a message that names time, joint and penetration.
 //
 // Memory: between two records the integrator calls residuals, Jacobians and
-// root functions hundreds of times. Nothing is allocated in them: what is, comes
-// from the state that is handed out at the end and from restarts after impacts,
-// less than one piece for ten residuals.
+// root functions hundreds of times. Nothing is allocated in them: what is,
+// comes from the state that is handed out at the end and from restarts after
+// impacts, less than one piece for ten residuals.
 
 #include "report.h"
 #include "slider_crank.h"
