@@ -122,7 +122,7 @@ main()
   // 5000 cycles.
   {
     const double          limit = problem.depth(5000.).maxCoeff();
-    ImplicitExtrapolation integrator(make_equation(problem, limit), 1e-4);
+    ImplicitExtrapolation integrator(make_equation(problem, limit), 1e-6);
     integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights);
     bool stopped = false;
     while (!stopped && integrator.cycles() < end)
