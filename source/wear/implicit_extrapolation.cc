@@ -207,9 +207,6 @@ namespace Tribody
 
 
 
-      // Of a step over the one before; ARKODE's default.
-      constexpr double max_growth = 20.;
-
       // Part of the slope along a correction, with the opposite sign, that is
       // tolerated at its end.
       constexpr double max_overshoot = 0.3;
@@ -386,17 +383,15 @@ namespace Tribody
 
       m.finish_stage();
       m.end_rate = m.rate + m.jacobian * m.correction;
-      // ARKODE's own proposal is cut off at the end of this call. The same I
-      // controller of a method whose embedded order is 2:
-      double last_step = 0.;
+      double last_step = 0., next_step = 0.;
       m.check(ARKStepGetLastStep(m.arkode, &last_step), "ARKStepGetLastStep");
-      const double error =
-        1.5 * local_error().cwiseProduct(m.weights).norm() / m.tolerance;
-      const double proposal =
-        last_step * std::min(max_growth, 0.96 / std::cbrt(error));
-      // A step that was cut short says little about the next one.
-      const bool was_cut = last_step < m.proposal && m.cycles == end;
-      m.proposal         = was_cut ? std::max(m.proposal, proposal) : proposal;
+      m.check(ARKStepGetCurrentStep(m.arkode, &next_step),
+              "ARKStepGetCurrentStep");
+      // A step that was cut short to end where it had to says little about the
+      // next one.
+      m.proposal = last_step < m.proposal && m.cycles == end ?
+                     std::max(m.proposal, next_step) :
+                     next_step;
       return flag == ARK_ROOT_RETURN;
     }
 
