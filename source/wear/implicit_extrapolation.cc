@@ -382,16 +382,16 @@ namespace Tribody
       m.check(flag, "ARKStepEvolve");
 
       m.finish_stage();
-      m.end_rate = m.rate + m.jacobian * m.correction;
+      m.end_rate       = m.rate + m.jacobian * m.correction;
       double last_step = 0., next_step = 0.;
       m.check(ARKStepGetLastStep(m.arkode, &last_step), "ARKStepGetLastStep");
       m.check(ARKStepGetCurrentStep(m.arkode, &next_step),
               "ARKStepGetCurrentStep");
       // A step that was cut short to end where it had to says little about the
       // next one.
-      m.proposal = last_step < m.proposal && m.cycles == end ?
-                     std::max(m.proposal, next_step) :
-                     next_step;
+      m.proposal = last_step < m.proposal && m.cycles == end
+                     ? std::max(m.proposal, next_step)
+                     : next_step;
       return flag == ARK_ROOT_RETURN;
     }
 
