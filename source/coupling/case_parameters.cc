@@ -425,19 +425,25 @@ namespace Tribody
       Parameters::add_choice(prm,
                              "Extrapolation",
                              extrapolation,
-                             {"implicit", "constant"},
+                             {"implicit", "constant", "one-shot"},
                              "How the wear of one cycle is carried over many. "
                              "implicit: as few implicit steps as the tolerance "
                              "allows, whatever the mesh. constant: explicit "
                              "steps of equal length, eqs. (24) and (25) of "
-                             "Mukras et al.");
+                             "Mukras et al. one-shot: the wear of the first "
+                             "cycle times the number of cycles, to see how "
+                             "wrong that is.");
       Parameters::add_quantity(prm,
                                "Tolerance",
                                tolerance,
                                "",
                                "Error of the depth that an implicit step may "
-                               "make, relative to the largest depth, between "
-                               "1e-8 and 0.1.");
+                               "make, its root mean square over the worn arc "
+                               "relative to the largest depth of the bushing, "
+                               "between 1e-8 and 0.1. What the wear changes in "
+                               "motion and compliance during a step is held "
+                               "to the same tolerance. Depths below 5 % of the "
+                               "clearance do not make it tighter.");
       Parameters::add_quantity(prm,
                                "Cycles per step",
                                cycles_per_step,

@@ -20,6 +20,17 @@ namespace Tribody
         const double step = 0.8 * max_stable_step;
         return step > 1. ? std::floor(step) : step;
       }
+
+
+
+      // Depth that counts as none [m]: a small part of the clearance.
+      double
+      smallest_depth(const WearingBushing &bushing)
+      {
+        const Multibody::JointParameters &joint = bushing.joint_parameters();
+        return 0.05 * std::max(joint.bushing_radius - joint.pin_radius,
+                               1e-5 * joint.bushing_radius);
+      }
     } // namespace
 
 
@@ -34,9 +45,11 @@ namespace Tribody
 
     ConstantJump::ConstantJump(std::list<WearingBushing> &bushings,
                                const StopConditions      &stop_conditions,
-                               const double               cycles_per_step)
+                               const double               cycles_per_step,
+                               const bool                 keep_first_rate)
       : CycleJump(bushings, stop_conditions)
       , cycles_per_step(cycles_per_step)
+      , keep_first_rate(keep_first_rate)
     {}
 
 
@@ -49,14 +62,14 @@ namespace Tribody
         cycles_per_step > 0. ? cycles_per_step
                              : safe_step(state.max_stable_step)};
 
-      rates_before.clear();
-      for (const CycleContact &contact : state.contacts)
-        rates_before.push_back(contact.wear_rate);
+      contacts_before = state.contacts;
+      if (!keep_first_rate || used_contacts.empty())
+        used_contacts = state.contacts;
       const auto depths_after = [&](const double n_cycles) {
         std::vector<Eigen::VectorXd> depths;
         for (const WearingBushing &bushing : bushings)
           depths.push_back(bushing.profile().depth +
-                           n_cycles * rates_before[depths.size()]);
+                           n_cycles * used_contacts[depths.size()].wear_rate);
         return depths;
       };
 
@@ -88,7 +101,7 @@ namespace Tribody
         {
           bushing.set_depth(depths[b]);
           state.totals[b].removed_volume +=
-            last_step * state.contacts[b].removed_area.sum() *
+            last_step * used_contacts[b].removed_area.sum() *
             bushing.bushing_parameters().axial_length;
           ++b;
         }
@@ -119,11 +132,30 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    ConstantJump::estimate_error(const std::size_t      b,
-                                 const Eigen::VectorXd &rate_after) const
+    std::vector<StepError>
+    ConstantJump::estimate_error(
+      const std::vector<CycleContact> &contacts_after)
     {
-      return Wear::euler_error(rates_before[b], rate_after, last_step);
+      std::vector<StepError> errors;
+      std::size_t            b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          // Without kept rates the first term vanishes.
+          const CycleContact &used = used_contacts[b];
+          errors.push_back({Wear::euler_error(used.wear_rate,
+                                              contacts_before[b].wear_rate,
+                                              last_step) +
+                              Wear::euler_error(used.wear_rate,
+                                                contacts_after[b].wear_rate,
+                                                last_step),
+                            0.5 * last_step *
+                              (contacts_before[b].removed_area.sum() +
+                               contacts_after[b].removed_area.sum() -
+                               2. * used.removed_area.sum()) *
+                              bushing.bushing_parameters().axial_length});
+          ++b;
+        }
+      return errors;
     }
 
 
@@ -132,15 +164,14 @@ namespace Tribody
                                const StopConditions      &stop_conditions,
                                const double               tolerance)
       : CycleJump(bushings, stop_conditions)
-      , settings([&]() {
-        Wear::ImplicitSettings s;
-        s.tolerance = tolerance;
-        for (const WearingBushing &bushing : bushings)
-          s.n_depths += bushing.profile().depth.size();
-        return s;
-      }())
-      , integrator(make_equation(), settings)
-    {}
+      , tolerance(tolerance)
+      , first_entry(1, 0)
+      , integrator(make_equation(), tolerance)
+    {
+      for (const WearingBushing &bushing : bushings)
+        first_entry.push_back(first_entry.back() +
+                              bushing.profile().depth.size());
+    }
 
 
 
@@ -150,7 +181,7 @@ namespace Tribody
       return {[this](const Eigen::VectorXd &y) { return compute_rate(y); },
               [this]() { return compute_jacobian(); },
               [this](const Eigen::VectorXd &y) {
-                return stop_conditions.evaluate(depths_in(y));
+                return stop_conditions.evaluate(depths_after(y));
               },
               stop_conditions.n_conditions()};
     }
@@ -162,27 +193,25 @@ namespace Tribody
     {
       // What is known already of the state at which the step begins.
       duty_cycle = &state.duty_cycle;
-      last_y     = pack(state);
+      last_y     = Eigen::VectorXd::Zero(first_entry.back());
       contacts   = state.contacts;
+      compute_weights();
 
-      integrator.start(state.cycles, last_y);
+      integrator.start(state.cycles, last_y, weights, max_step);
       const bool stopped = integrator.step(end);
 
       const Eigen::VectorXd              y      = integrator.state();
-      const std::vector<Eigen::VectorXd> depths = depths_in(y);
+      const std::vector<Eigen::VectorXd> depths = depths_after(y);
       std::size_t                        b      = 0;
       for (WearingBushing &bushing : bushings)
         {
           bushing.set_depth(depths[b]);
-          state.totals[b].removed_volume = y[settings.n_depths + b];
+          state.totals[b].removed_volume +=
+            part(y, b).sum() * bushing.bushing_parameters().axial_length;
           ++b;
         }
       last_step    = integrator.cycles() - state.cycles;
-      last_error   = integrator.local_error();
       state.cycles = integrator.cycles();
-      // The rates of the old duty cycle at the new shape, to see what the new
-      // one changes.
-      compute_rate(y);
       if (!stopped)
         return -1;
       int condition = -1;
@@ -192,13 +221,49 @@ namespace Tribody
 
 
 
+    void
+    ImplicitJump::compute_weights()
+    {
+      weights.resize(first_entry.back());
+      area_derivatives.clear();
+      largest_depths.clear();
+      worn_arcs.clear();
+      for (const WearingBushing &bushing : bushings)
+        {
+          const std::size_t      b       = worn_arcs.size();
+          const CycleContact    &contact = contacts[b];
+          const Eigen::VectorXd &depth   = bushing.profile().depth;
+          const Eigen::VectorXd  D =
+            bushing.profile().area_derivative(contact.surface);
+          // Depths that do not matter for the clearance do not tighten the
+          // tolerance.
+          const double floor     = smallest_depth(bushing);
+          const double max_rate  = contact.wear_rate.maxCoeff();
+          const double max_depth = std::max(floor, depth.maxCoeff());
+          double       area      = D.dot(depth);
+          double       arc       = D.sum();
+          if (max_rate > 0.)
+            {
+              area += floor / max_rate * contact.removed_area.sum();
+              arc = area / (depth.maxCoeff() + floor);
+            }
+          area_derivatives.push_back(D);
+          largest_depths.push_back(max_depth);
+          worn_arcs.push_back(arc);
+          weights.segment(first_entry[b], D.size()) =
+            (D * arc).cwiseSqrt().cwiseInverse() / max_depth;
+        }
+    }
+
+
+
     Eigen::VectorXd
     ImplicitJump::compute_rate(const Eigen::VectorXd &y)
     {
-      const std::vector<Eigen::VectorXd> depths = depths_in(y);
-      if (y.size() != last_y.size() || y != last_y || contacts.empty())
+      if (y != last_y)
         {
-          std::size_t b = 0;
+          const std::vector<Eigen::VectorXd> depths = depths_after(y);
+          std::size_t                        b      = 0;
           for (const WearingBushing &bushing : bushings)
             {
               contacts[b] =
@@ -212,17 +277,9 @@ namespace Tribody
         }
 
       Eigen::VectorXd rate(y.size());
-      Eigen::Index    first = 0;
-      std::size_t     b     = 0;
-      for (const WearingBushing &bushing : bushings)
-        {
-          rate.segment(first, depths[b].size()) = contacts[b].wear_rate;
-          rate[settings.n_depths + b] =
-            contacts[b].removed_area.sum() *
-            bushing.bushing_parameters().axial_length;
-          first += depths[b].size();
-          ++b;
-        }
+      for (std::size_t b = 0; b < contacts.size(); ++b)
+        rate.segment(first_entry[b], first_entry[b + 1] - first_entry[b]) =
+          contacts[b].removed_area;
       return rate;
     }
 
@@ -233,19 +290,14 @@ namespace Tribody
     {
       Eigen::MatrixXd jacobian =
         Eigen::MatrixXd::Zero(last_y.size(), last_y.size());
-      Eigen::Index first = 0;
-      std::size_t  b     = 0;
+      std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         {
-          const Eigen::MatrixXd of_bushing =
-            bushing.compute_wear_rate_jacobian(contacts[b]);
-          const Eigen::Index n               = of_bushing.rows();
-          jacobian.block(first, first, n, n) = of_bushing;
-          jacobian.row(settings.n_depths + b).segment(first, n) =
-            bushing.bushing_parameters().axial_length *
-            bushing.profile().area_derivative(contacts[b].surface).transpose() *
-            of_bushing;
-          first += n;
+          const Eigen::VectorXd D =
+            bushing.profile().area_derivative(contacts[b].surface);
+          jacobian.block(first_entry[b], first_entry[b], D.size(), D.size()) =
+            D.asDiagonal() * bushing.compute_wear_rate_jacobian(contacts[b]) *
+            D.cwiseInverse().asDiagonal();
           ++b;
         }
       return jacobian;
@@ -253,58 +305,65 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    ImplicitJump::estimate_error(const std::size_t      b,
-                                 const Eigen::VectorXd &rate_after) const
+    std::vector<StepError>
+    ImplicitJump::estimate_error(
+      const std::vector<CycleContact> &contacts_after)
     {
-      // What the integrator estimates, wherever on the bore, and half a step's
-      // worth of what the duty cycle has changed meanwhile.
-      Eigen::Index first = 0;
-      std::size_t  other = 0;
-      for (const WearingBushing &bushing : bushings)
-        if (other++ < b)
-          first += bushing.profile().depth.size();
-      const double local =
-        last_error.segment(first, rate_after.size()).lpNorm<Eigen::Infinity>();
-      return (0.5 * last_step * (rate_after - contacts[b].wear_rate))
-               .cwiseAbs()
-               .array() +
-             local;
-    }
+      // What the integrator estimates, and half a step's worth of what the new
+      // duty cycle and compliance change in the rate, as far as the wear under
+      // way does not level it again.
+      const Eigen::VectorXd local = integrator.local_error();
+      Eigen::VectorXd       change(first_entry.back());
+      for (std::size_t b = 0; b < contacts_after.size(); ++b)
+        change.segment(first_entry[b], first_entry[b + 1] - first_entry[b]) =
+          contacts_after[b].removed_area;
+      const Eigen::VectorXd lag =
+        integrator.damp(0.5 * last_step * (change - integrator.end_rate()));
 
+      const double relative_lag = lag.cwiseProduct(weights).norm();
+      max_step                  = relative_lag > 0.
+                                    ? 0.9 * last_step * std::sqrt(tolerance / relative_lag)
+                                    : 0.;
 
-
-    Eigen::VectorXd
-    ImplicitJump::pack(const RunState &state) const
-    {
-      Eigen::VectorXd y(settings.n_depths + bushings.size());
-      Eigen::Index    first = 0;
-      std::size_t     b     = 0;
+      std::vector<StepError> errors;
+      std::size_t            b = 0;
       for (const WearingBushing &bushing : bushings)
         {
-          const Eigen::VectorXd &depth   = bushing.profile().depth;
-          y.segment(first, depth.size()) = depth;
-          y[settings.n_depths + b]       = state.totals[b].removed_volume;
-          first += depth.size();
+          const auto measure = [&](const Eigen::VectorXd &y) {
+            return part(y, b).cwiseProduct(part(weights, b)).norm() *
+                   largest_depths[b];
+          };
+          const auto area = [&](const Eigen::VectorXd &y) {
+            return std::abs(part(y, b).sum());
+          };
+          errors.push_back(
+            {Eigen::VectorXd::Constant(part(local, b).size(),
+                                       measure(local) + measure(lag)),
+             (area(local) + area(lag)) *
+               bushing.bushing_parameters().axial_length});
           ++b;
         }
-      return y;
+      return errors;
     }
 
 
 
     std::vector<Eigen::VectorXd>
-    ImplicitJump::depths_in(const Eigen::VectorXd &y) const
+    ImplicitJump::depths_after(const Eigen::VectorXd &y) const
     {
       std::vector<Eigen::VectorXd> depths;
-      Eigen::Index                 first = 0;
       for (const WearingBushing &bushing : bushings)
-        {
-          const Eigen::Index n = bushing.profile().depth.size();
-          depths.push_back(y.segment(first, n));
-          first += n;
-        }
+        depths.push_back(
+          bushing.profile().depth_after_removing(part(y, depths.size())));
       return depths;
+    }
+
+
+
+    Eigen::VectorXd
+    ImplicitJump::part(const Eigen::VectorXd &y, const std::size_t b) const
+    {
+      return y.segment(first_entry[b], first_entry[b + 1] - first_entry[b]);
     }
   } // namespace Coupling
 } // namespace Tribody

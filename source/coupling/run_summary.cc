@@ -437,6 +437,11 @@ namespace Tribody
                     std::max(summary.max_wear_depth_relative_error,
                              relative_error(state.totals[b].depth_error,
                                             bushing.profile()));
+                  if (joint.bushing.worn_volume > 0.)
+                    summary.worn_volume_relative_error =
+                      std::max(summary.worn_volume_relative_error,
+                               state.totals[b].volume_error /
+                                 joint.bushing.worn_volume);
                 }
               ++b;
             }
@@ -467,10 +472,10 @@ namespace Tribody
       else
         print_joints(out, summary);
       if (summary.wear_steps > 0)
-        out << "  estimated error of the depth by the wear steps: "
+        out << "  estimated error by the wear steps: depth "
             << std::setprecision(2)
-            << 100. * summary.max_wear_depth_relative_error << " %"
-            << std::endl;
+            << 100. * summary.max_wear_depth_relative_error << " %, volume "
+            << 100. * summary.worn_volume_relative_error << " %" << std::endl;
       if (summary.is_dynamics_only)
         {
           if (!summary.settling_message.empty())

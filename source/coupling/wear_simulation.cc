@@ -31,6 +31,12 @@ namespace Tribody
           return std::make_unique<ConstantJump>(bushings,
                                                 stop_conditions,
                                                 parameters.cycles_per_step);
+        if (parameters.extrapolation == "one-shot")
+          return std::make_unique<ConstantJump>(
+            bushings,
+            stop_conditions,
+            std::numeric_limits<double>::max(),
+            true);
         return std::make_unique<ImplicitJump>(bushings,
                                               stop_conditions,
                                               parameters.tolerance);
@@ -290,10 +296,14 @@ namespace Tribody
     void
     WearSimulation::estimate_error()
     {
+      // Absolute values: an oscillation must not cancel in the sum.
+      const std::vector<StepError> errors =
+        jump->estimate_error(state.contacts);
       for (std::size_t b = 0; b < state.totals.size(); ++b)
-        // Absolute values: an oscillation must not cancel in the sum.
-        state.totals[b].depth_error +=
-          jump->estimate_error(b, state.contacts[b].wear_rate).cwiseAbs();
+        {
+          state.totals[b].depth_error += errors[b].depth.cwiseAbs();
+          state.totals[b].volume_error += std::abs(errors[b].volume);
+        }
     }
 
 

@@ -288,7 +288,7 @@ namespace Tribody
       }
       // Systems of more unknowns than this are sparse; see doc/decisions.md,
       // "Linear solver of the dynamics".
-      constexpr Eigen::Index largest_dense_system = 120;
+      constexpr Eigen::Index largest_dense_system = 64;
 
 
 

@@ -8,6 +8,7 @@
 #include <tribody/wear/implicit_extrapolation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <string>
@@ -19,9 +20,9 @@ namespace Tribody
   {
     struct ImplicitExtrapolation::Memory
     {
-      Memory(const WearEquation &equation, const ImplicitSettings &settings)
+      Memory(const WearEquation &equation, const double tolerance)
         : equation(equation)
-        , settings(settings)
+        , tolerance(tolerance)
       {}
 
       ~Memory()
@@ -35,16 +36,48 @@ namespace Tribody
       void
       create(const double start_cycles);
 
+      /// Take from a stage that has been solved what the next one starts from.
+      void
+      finish_stage();
+
+      /**
+       * Newton's correction for the residual -@p b at the last iterate. If the
+       * correction before has led beyond the minimum of the convex function
+       * whose gradient the residual is, the way back to the minimum on its line
+       * (secant) comes first: between two active sets the plain iteration may
+       * go to and fro for ever.
+       */
+      Eigen::VectorXd
+      newton_correction(Eigen::VectorXd b, const double gamma);
+
       /// Throw what a callback threw, or translate a return code.
       void
       check(const int flag, const std::string &function);
 
       WearEquation       equation;
-      ImplicitSettings   settings;
+      double             tolerance;
       std::exception_ptr exception;
 
       double          cycles = 0.;
       Eigen::VectorXd y;
+      Eigen::VectorXd weights;
+
+      /// Where the last step began, and the step that was to follow it.
+      double          step_start = 0.;
+      Eigen::VectorXd y_start;
+      double          proposal = 0.;
+      /// The last iterate, its rate and the correction that solved for it.
+      Eigen::VectorXd                      iterate;
+      Eigen::VectorXd                      rate;
+      Eigen::MatrixXd                      jacobian;
+      Eigen::PartialPivLU<Eigen::MatrixXd> newton_matrix;
+      Eigen::VectorXd                      residual;
+      Eigen::VectorXd                      correction;
+      /// Slope of the line that Newton's iteration starts from; empty at first.
+      Eigen::VectorXd slope;
+      bool            stage_solved = false;
+      double          stage_cycles = 0.;
+      Eigen::VectorXd end_rate;
 
       SUNContext      context       = nullptr;
       void           *arkode        = nullptr;
@@ -92,7 +125,9 @@ namespace Tribody
       {
         Memory &memory = *static_cast<Memory *>(data);
         return guarded(memory.exception, [&]() {
-          view_of(rate) = memory.equation.rate(view_of(y));
+          memory.iterate = view_of(y);
+          memory.rate    = memory.equation.rate(memory.iterate);
+          view_of(rate)  = memory.rate;
         });
       }
 
@@ -111,23 +146,33 @@ namespace Tribody
 
 
 
-      // The error of every depth is measured by the largest one.
+      // ARKODE's norm is a mean over the entries.
       template <typename Memory>
       int
-      weight_callback(N_Vector y, N_Vector weights, void *data)
+      weight_callback(N_Vector, N_Vector weights, void *data)
       {
-        const ImplicitSettings &settings =
-          static_cast<Memory *>(data)->settings;
-        const Eigen::Index n = settings.n_depths;
-        const double       depth =
-          std::max(settings.depth_floor, view_of(y).head(n).maxCoeff());
-        // ARKODE's norm is a mean over all entries, those that do not count
-        // included, while the depth asks for the worst one.
-        View w    = view_of(weights);
-        w         = Eigen::VectorXd::Constant(w.size(), 1e-30);
-        w.head(n) = Eigen::VectorXd::Constant(n,
-                                              std::sqrt(double(w.size())) /
-                                                (settings.tolerance * depth));
+        const Memory &memory = *static_cast<Memory *>(data);
+        const double  n      = memory.weights.size();
+        view_of(weights) =
+          memory.weights.cwiseMax(1e-30) * (std::sqrt(n) / memory.tolerance);
+        return 0;
+      }
+
+
+
+      // On the line through the beginning of the step and the last stage; for
+      // the first stage, through the step before.
+      template <typename Memory>
+      int
+      predict_callback(realtype cycles, N_Vector prediction, void *data)
+      {
+        Memory &memory = *static_cast<Memory *>(data);
+        memory.finish_stage();
+        memory.stage_solved = false;
+        memory.stage_cycles = cycles;
+        if (memory.slope.size() > 0)
+          view_of(prediction) =
+            memory.y_start + (cycles - memory.step_start) * memory.slope;
         return 0;
       }
 
@@ -156,11 +201,15 @@ namespace Tribody
           double gamma = 0.;
           memory.check(ARKStepGetCurrentGamma(memory.arkode, &gamma),
                        "ARKStepGetCurrentGamma");
-          Eigen::MatrixXd matrix = -gamma * memory.equation.jacobian();
-          matrix.diagonal().array() += 1.;
-          view_of(x) = matrix.partialPivLu().solve(view_of(b));
+          view_of(x) = memory.newton_correction(view_of(b), gamma);
         });
       }
+
+
+
+      // Part of the slope along a correction, with the opposite sign, that is
+      // tolerated at its end.
+      constexpr double max_overshoot = 0.3;
 
 
 
@@ -168,6 +217,52 @@ namespace Tribody
       silent(int, const char *, const char *, char *, void *)
       {}
     } // namespace
+
+
+
+    Eigen::VectorXd
+    ImplicitExtrapolation::Memory::newton_correction(Eigen::VectorXd b,
+                                                     const double    gamma)
+    {
+      Eigen::VectorXd way_back = Eigen::VectorXd::Zero(b.size());
+      if (stage_solved)
+        {
+          const Eigen::VectorXd metric = weights.cwiseAbs2();
+          const double before = correction.cwiseProduct(metric).dot(residual);
+          const double after  = correction.cwiseProduct(metric).dot(b);
+          if (after < -max_overshoot * before)
+            {
+              way_back = -std::min(0.9, after / (after - before)) * correction;
+              const Eigen::VectorXd rate_there = rate;
+              iterate += way_back;
+              rate = equation.rate(iterate);
+              b += gamma * (rate - rate_there) - way_back;
+            }
+        }
+
+      jacobian               = equation.jacobian();
+      Eigen::MatrixXd matrix = -gamma * jacobian;
+      matrix.diagonal().array() += 1.;
+      newton_matrix.compute(matrix);
+      residual     = b;
+      correction   = newton_matrix.solve(residual);
+      stage_solved = true;
+      // ARKODE sees the sum, and a small sum would be convergence.
+      if ((way_back + correction).norm() < 0.5 * way_back.norm())
+        correction *= 0.5;
+      return way_back + correction;
+    }
+
+
+
+    void
+    ImplicitExtrapolation::Memory::finish_stage()
+    {
+      if (!stage_solved)
+        return;
+      slope = (iterate + correction - y_start) / (stage_cycles - step_start);
+      stage_solved = false;
+    }
 
 
 
@@ -213,13 +308,22 @@ namespace Tribody
                                ARKODE_ESDIRK325L2SA_5_2_3,
                                ARKODE_ERK_NONE),
             "ARKStepSetTableNum");
+      // Every step is the first one of its equation: no history for a
+      // controller that looks further back.
+      check(ARKStepSetAdaptivityMethod(arkode, ARK_ADAPT_I, 1, 0, nullptr),
+            "ARKStepSetAdaptivityMethod");
+      // What Newton leaves stands in the pressure, and no error estimate sees
+      // it.
+      check(ARKStepSetNonlinConvCoef(arkode, 0.02), "ARKStepSetNonlinConvCoef");
+      check(ARKStepSetStagePredictFn(arkode, predict_callback<Memory>),
+            "ARKStepSetStagePredictFn");
       check(ARKStepSetLinearSolver(arkode, linear_solver, nullptr),
             "ARKStepSetLinearSolver");
       // The slope at a solved stage follows from the stage: no evaluation, and
       // no amplification of what Newton left.
       check(ARKStepSetDeduceImplicitRhs(arkode, SUNTRUE),
             "ARKStepSetDeduceImplicitRhs");
-      check(ARKStepSetMaxNonlinIters(arkode, 10), "ARKStepSetMaxNonlinIters");
+      check(ARKStepSetMaxNonlinIters(arkode, 15), "ARKStepSetMaxNonlinIters");
       if (equation.n_events > 0)
         check(ARKStepRootInit(arkode,
                               equation.n_events,
@@ -229,10 +333,9 @@ namespace Tribody
 
 
 
-    ImplicitExtrapolation::ImplicitExtrapolation(
-      const WearEquation     &equation,
-      const ImplicitSettings &settings)
-      : memory(std::make_unique<Memory>(equation, settings))
+    ImplicitExtrapolation::ImplicitExtrapolation(const WearEquation &equation,
+                                                 const double        tolerance)
+      : memory(std::make_unique<Memory>(equation, tolerance))
     {}
 
 
@@ -242,22 +345,29 @@ namespace Tribody
 
 
     void
-    ImplicitExtrapolation::start(const double cycles, const Eigen::VectorXd &y)
+    ImplicitExtrapolation::start(const double           cycles,
+                                 const Eigen::VectorXd &y,
+                                 const Eigen::VectorXd &weights,
+                                 const double           max_step)
     {
-      Memory &m = *memory;
-      m.cycles  = cycles;
+      Memory &m    = *memory;
+      m.cycles     = cycles;
+      m.y          = y;
+      m.weights    = weights;
+      m.step_start = cycles;
+      m.y_start    = y;
       if (m.arkode == nullptr)
         {
-          m.y = y;
           m.create(cycles);
-          return;
+          const double change = m.equation.rate(y).cwiseProduct(weights).norm();
+          if (change > 0.)
+            m.proposal = 1. / change;
         }
-      double next_step = 0.;
-      m.check(ARKStepGetCurrentStep(m.arkode, &next_step),
-              "ARKStepGetCurrentStep");
-      m.y = y;
-      m.check(ARKStepReset(m.arkode, cycles, m.view), "ARKStepReset");
-      m.check(ARKStepSetInitStep(m.arkode, next_step), "ARKStepSetInitStep");
+      else
+        m.check(ARKStepReset(m.arkode, cycles, m.view), "ARKStepReset");
+      if (max_step > 0. && max_step < m.proposal)
+        m.proposal = max_step;
+      m.check(ARKStepSetInitStep(m.arkode, m.proposal), "ARKStepSetInitStep");
     }
 
 
@@ -270,6 +380,18 @@ namespace Tribody
       const int flag =
         ARKStepEvolve(m.arkode, end, m.view, &m.cycles, ARK_ONE_STEP);
       m.check(flag, "ARKStepEvolve");
+
+      m.finish_stage();
+      m.end_rate       = m.rate + m.jacobian * m.correction;
+      double last_step = 0., next_step = 0.;
+      m.check(ARKStepGetLastStep(m.arkode, &last_step), "ARKStepGetLastStep");
+      m.check(ARKStepGetCurrentStep(m.arkode, &next_step),
+              "ARKStepGetCurrentStep");
+      // A step that was cut short to end where it had to says little about the
+      // next one.
+      m.proposal = last_step < m.proposal && m.cycles == end
+                     ? std::max(m.proposal, next_step)
+                     : next_step;
       return flag == ARK_ROOT_RETURN;
     }
 
@@ -300,6 +422,22 @@ namespace Tribody
       N_VDestroy(nv);
       memory->check(flag, "ARKStepGetEstLocalErrors");
       return error;
+    }
+
+
+
+    const Eigen::VectorXd &
+    ImplicitExtrapolation::end_rate() const
+    {
+      return memory->end_rate;
+    }
+
+
+
+    Eigen::VectorXd
+    ImplicitExtrapolation::damp(const Eigen::VectorXd &perturbation) const
+    {
+      return memory->newton_matrix.solve(perturbation);
     }
   } // namespace Wear
 } // namespace Tribody

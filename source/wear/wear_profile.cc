@@ -34,6 +34,28 @@ namespace Tribody
 
 
 
+    Eigen::VectorXd
+    WearProfile::depth_after_removing(const Eigen::VectorXd &removed_area) const
+    {
+      // The derivative changes by the depth over the radius: each iteration
+      // gains that factor.
+      WearProfile     mean   = *this;
+      Eigen::VectorXd result = depth;
+      for (unsigned int i = 0; i < 50; ++i)
+        {
+          mean.depth = 0.5 * (depth + result);
+          const Eigen::VectorXd next =
+            depth + mean.depth_for_removed_area(mean.surface(), removed_area);
+          const double change = (next - result).lpNorm<Eigen::Infinity>();
+          result              = next;
+          if (!(change > 1e-13 * (next - depth).lpNorm<Eigen::Infinity>()))
+            break;
+        }
+      return result;
+    }
+
+
+
     double
     WearProfile::max_depth() const
     {

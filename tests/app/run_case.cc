@@ -109,6 +109,8 @@ print_bushing(const json &joint)
             << " %" << std::endl
             << "  volume balance below 1e-3: "
             << (joint["volume_balance_relative_error"] < 1e-3)
+            << ", below 1e-6: "
+            << (joint["volume_balance_relative_error"] < 1e-6)
             << ", oscillation below 1e-2: "
             << (bushing["wear_rate_mesh_oscillation"] < 1e-2)
             << ", losses of contact: " << joint["contact_losses"] << std::endl;

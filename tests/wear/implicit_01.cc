@@ -89,14 +89,16 @@ main()
   const Problem problem;
   const double  end = 20000.;
 
+  // Relative to the largest depth at the end; the number of cycles does not
+  // count.
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(n + 1);
+  weights.head(n).setConstant(1. / problem.depth(end).maxCoeff());
+
   double previous_error = 1.;
   for (const double tolerance : {1e-2, 1e-3, 1e-4})
     {
-      ImplicitSettings settings;
-      settings.tolerance = tolerance;
-      settings.n_depths  = n;
-      ImplicitExtrapolation integrator(make_equation(problem, 1.), settings);
-      integrator.start(0., Eigen::VectorXd::Zero(n + 1));
+      ImplicitExtrapolation integrator(make_equation(problem, 1.), tolerance);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights);
       unsigned int n_steps = 0;
       while (integrator.cycles() < end)
         {
@@ -119,12 +121,9 @@ main()
   // Stop where the largest depth passes the value that the closed form has at
   // 5000 cycles.
   {
-    ImplicitSettings settings;
-    settings.tolerance          = 1e-4;
-    settings.n_depths           = n;
     const double          limit = problem.depth(5000.).maxCoeff();
-    ImplicitExtrapolation integrator(make_equation(problem, limit), settings);
-    integrator.start(0., Eigen::VectorXd::Zero(n + 1));
+    ImplicitExtrapolation integrator(make_equation(problem, limit), 1e-6);
+    integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights);
     bool stopped = false;
     while (!stopped && integrator.cycles() < end)
       stopped = integrator.step(end);
@@ -139,10 +138,8 @@ main()
   };
   try
     {
-      ImplicitSettings settings;
-      settings.n_depths = n;
-      ImplicitExtrapolation integrator(broken, settings);
-      integrator.start(0., Eigen::VectorXd::Zero(n + 1));
+      ImplicitExtrapolation integrator(broken, 5e-3);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights);
       integrator.step(end);
       std::cout << "NO EXCEPTION" << std::endl;
     }

@@ -106,7 +106,21 @@ test_profile()
                               before.enclosed_area - removed.sum());
     }
   std::cout << "profile: rate of the volume defect " << std::fixed
-            << std::setprecision(2) << std::log2(error[0] / error[1])
+            << std::setprecision(2) << std::log2(error[0] / error[1]);
+
+  // With the derivative at the mean depth there is no defect but round-off.
+  WearProfile profile = make_wear_profile(directions, directions, 2);
+  for (unsigned int i = 0; i < n; ++i)
+    profile.depth[i] = 0.05 * std::max(0., directions(0, i));
+  Eigen::VectorXd removed(n);
+  for (unsigned int i = 0; i < n; ++i)
+    removed[i] = 5e-3 * std::max(0., directions(1, i));
+  const double before = profile.surface().enclosed_area;
+  profile.depth       = profile.depth_after_removing(removed);
+  std::cout << ", exact update right to 1e-12: "
+            << (std::abs((profile.surface().enclosed_area - before) /
+                           removed.sum() -
+                         1.) < 1e-12)
             << std::endl;
 }
 

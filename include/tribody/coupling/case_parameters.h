@@ -23,7 +23,7 @@ namespace Tribody
     /// How wear is integrated over the cycles.
     struct WearParameters
     {
-      /// "implicit", or "constant": the paper's extrapolation.
+      /// "implicit", "constant" (the paper's extrapolation) or "one-shot".
       std::string extrapolation = "implicit";
       /// Relative error of the depth that an implicit step may make [-].
       double tolerance = 5e-3;

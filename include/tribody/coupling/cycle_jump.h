@@ -16,6 +16,13 @@ namespace Tribody
 {
   namespace Coupling
   {
+    /// Estimated error that a wear step leaves in a bushing.
+    struct StepError
+    {
+      Eigen::VectorXd depth;       ///< [m], one value per bore node
+      double          volume = 0.; ///< [m^3]
+    };
+
     /**
      * Carries the wear of one cycle over many: one step of @f$ dh/dN = W(h)
      * @f$ for all bushings together, under the duty cycle that RunState holds.
@@ -38,13 +45,12 @@ namespace Tribody
       advance(RunState &state, const double end) = 0;
 
       /**
-       * Estimate of the error of the last step in bushing @p b [m], one value
-       * per bore node, now that @p rate_after is known: the wear rate at its
-       * end [m per cycle], under the duty cycle that belongs to the new shape.
+       * Estimate of the error of the last step, one value per bushing, now that
+       * @p contacts_after are known: those at its end, under the duty cycle and
+       * with the compliance that belong to the new shape.
        */
-      virtual Eigen::VectorXd
-      estimate_error(const std::size_t      b,
-                     const Eigen::VectorXd &rate_after) const = 0;
+      virtual std::vector<StepError>
+      estimate_error(const std::vector<CycleContact> &contacts_after) = 0;
 
       virtual unsigned int
       n_rate_evaluations() const = 0;
@@ -56,7 +62,8 @@ namespace Tribody
 
     /**
      * The paper's constant extrapolation: Wear::ConstantExtrapolation with the
-     * rates that RunState holds.
+     * rates that RunState holds; or with the first of them for ever, the
+     * one-shot extrapolation that the paper warns of.
      */
     class ConstantJump : public CycleJump
     {
@@ -64,14 +71,14 @@ namespace Tribody
       /// @param cycles_per_step A_E; 0: a safe part of the stable length.
       ConstantJump(std::list<WearingBushing> &bushings,
                    const StopConditions      &stop_conditions,
-                   const double               cycles_per_step);
+                   const double               cycles_per_step,
+                   const bool                 keep_first_rate = false);
 
       int
       advance(RunState &state, const double end) override;
 
-      Eigen::VectorXd
-      estimate_error(const std::size_t      b,
-                     const Eigen::VectorXd &rate_after) const override;
+      std::vector<StepError>
+      estimate_error(const std::vector<CycleContact> &contacts_after) override;
 
       unsigned int
       n_rate_evaluations() const override
@@ -84,13 +91,29 @@ namespace Tribody
       update_stable_step(RunState &state);
 
       double cycles_per_step;
+      bool   keep_first_rate;
       /// Compliance builds that the stable length belongs to.
-      unsigned int                 stable_step_builds = 0;
-      double                       last_step          = 0.;
-      std::vector<Eigen::VectorXd> rates_before;
+      unsigned int stable_step_builds = 0;
+      double       last_step          = 0.;
+      /// At the start of the last step, and those whose rates it took.
+      std::vector<CycleContact> contacts_before;
+      std::vector<CycleContact> used_contacts;
     };
 
-    /// Implicit steps of Wear::ImplicitExtrapolation.
+    /**
+     * Implicit steps of Wear::ImplicitExtrapolation. Its state y is the
+     * cross-section area [m^2] that every bore node has lost since the step
+     * began, and the depth follows from it: so the volume that the bushings
+     * lose is what Archard's law has removed, however long the step.
+     *
+     * The error of the depth counts as
+     * @f[ \frac{1}{h_\text{max}} \sqrt{\frac{\int e^2\,ds}{\ell}}, \qquad
+     *     \ell = \frac{\int h\,ds}{h_\text{max}}, @f]
+     * its root mean square over the worn arc, relative to the largest depth.
+     * This is also the norm in which the equation of wear is contractive (its
+     * Jacobian is symmetric in it and nowhere positive): what one step leaves,
+     * later ones do not enlarge.
+     */
     class ImplicitJump : public CycleJump
     {
     public:
@@ -102,9 +125,8 @@ namespace Tribody
       int
       advance(RunState &state, const double end) override;
 
-      Eigen::VectorXd
-      estimate_error(const std::size_t      b,
-                     const Eigen::VectorXd &rate_after) const override;
+      std::vector<StepError>
+      estimate_error(const std::vector<CycleContact> &contacts_after) override;
 
       unsigned int
       n_rate_evaluations() const override
@@ -122,14 +144,20 @@ namespace Tribody
       Eigen::MatrixXd
       compute_jacobian() const;
 
-      /// Depths of all bushings, then the volume removed from each.
-      Eigen::VectorXd
-      pack(const RunState &state) const;
+      /// What an error of y counts.
+      void
+      compute_weights();
 
       std::vector<Eigen::VectorXd>
-      depths_in(const Eigen::VectorXd &y) const;
+      depths_after(const Eigen::VectorXd &y) const;
 
-      Wear::ImplicitSettings      settings;
+      /// The part of @p y that belongs to bushing @p b.
+      Eigen::VectorXd
+      part(const Eigen::VectorXd &y, const std::size_t b) const;
+
+      double tolerance;
+      /// Of each bushing in y; then the number of entries.
+      std::vector<Eigen::Index>   first_entry;
       Wear::ImplicitExtrapolation integrator;
       const Multibody::DutyCycle *duty_cycle = nullptr;
       /// The last state whose rate was computed, and its contacts.
@@ -137,7 +165,14 @@ namespace Tribody
       std::vector<CycleContact> contacts;
       unsigned int              n_evaluations = 0;
       double                    last_step     = 0.;
-      Eigen::VectorXd           last_error;
+      /// Bound of the next step [cycles] from what changes between steps.
+      double          max_step = 0.;
+      Eigen::VectorXd weights;
+      /// Derivative of the area with respect to the depth, and the largest
+      /// depth and the worn arc of each bushing, at the start of the step [m].
+      std::vector<Eigen::VectorXd> area_derivatives;
+      std::vector<double>          largest_depths;
+      std::vector<double>          worn_arcs;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -22,8 +22,10 @@ namespace Tribody
       double sliding_distance = 0.;
       /// Integral of the normal force over that distance [N m].
       double force_over_sliding = 0.;
-      /// Estimated error of the depth, left by the steps [m]; per bore node.
+      /// Estimated error of the depth [m], per bore node, and of the volume
+      /// [m^3], left by the steps.
       Eigen::VectorXd depth_error;
+      double          volume_error = 0.;
     };
 
     /// What a run counts.

@@ -130,9 +130,10 @@ namespace Tribody
       std::vector<JointSummary> joints;
       DynamicsSummary           dynamics;
 
-      /// Estimated relative error of the largest maximum depth left by the
-      /// wear steps [-].
+      /// Estimated relative errors of maximum depth and worn volume left by the
+      /// wear steps, of the bushing where they are largest [-].
       double max_wear_depth_relative_error = 0.;
+      double worn_volume_relative_error    = 0.;
       /// Largest violation of the constraints [m].
       double constraint_drift = 0.;
       /// How well the last duty cycle repeats [-], and whether all settled.

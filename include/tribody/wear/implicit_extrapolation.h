@@ -12,8 +12,7 @@ namespace Tribody
   {
     /**
      * The equation of wear over the number of cycles N,
-     * @f$ dy/dN = W(y) @f$, as its integrator sees it. The state y holds wear
-     * depths; what else a caller wants integrated along may follow them.
+     * @f$ dy/dN = W(y) @f$, as its integrator sees it.
      */
     struct WearEquation
     {
@@ -27,19 +26,6 @@ namespace Tribody
       unsigned int                                             n_events = 0;
     };
 
-    /// How accurate an ImplicitExtrapolation is.
-    struct ImplicitSettings
-    {
-      /// Error of the depth that a step may make, relative to the largest
-      /// depth reached [-].
-      double tolerance = 5e-3;
-      /// Depths below this do not make the tolerance tighter [m].
-      double depth_floor = 1e-6;
-      /// Entries of y that are depths; the others are left out of the error
-      /// test.
-      Eigen::Index n_depths = 0;
-    };
-
     /**
      * Implicit cycle jumps: an L-stable, stiffly accurate diagonally implicit
      * Runge-Kutta method of ARKODE with its own step control integrates
@@ -47,13 +33,21 @@ namespace Tribody
      * the optimality condition of a convex quadratic programme, by Newton's
      * method with a new Jacobian in every iteration: one that lags behind
      * belongs to other active sets and does not converge while the contact
-     * grows.
+     * grows. It starts from the line through what was solved last, because the
+     * state is hardly curved while its rate is stiff.
+     *
+     * An error e of y counts as @f$ \sqrt{\sum_i (w_i e_i)^2} @f$ with weights
+     * that the caller chooses. For a surface the sum should be an integral over
+     * it: the state of a single node has a kink where the edge of contact
+     * passes, and a measure of the worst node would make the steps follow the
+     * mesh.
      */
     class ImplicitExtrapolation
     {
     public:
-      ImplicitExtrapolation(const WearEquation     &equation,
-                            const ImplicitSettings &settings);
+      /// @param tolerance what the error of a step may count.
+      ImplicitExtrapolation(const WearEquation &equation,
+                            const double        tolerance);
 
       ~ImplicitExtrapolation();
 
@@ -63,10 +57,17 @@ namespace Tribody
 
       /**
        * Begin at @p cycles with @p y, or go on from there with an equation
-       * that has changed; the length of the next step is kept.
+       * that has changed; the length of the next step is kept. The first one
+       * is as long as it takes the first rate to change y by what counts 1.
+       *
+       * @param weights w, one per entry of y.
+       * @param max_step bound of the next step [cycles]; 0: none.
        */
       void
-      start(const double cycles, const Eigen::VectorXd &y);
+      start(const double           cycles,
+            const Eigen::VectorXd &y,
+            const Eigen::VectorXd &weights,
+            const double           max_step = 0.);
 
       /**
        * One step, not beyond @p end [cycles].
@@ -87,6 +88,18 @@ namespace Tribody
       /// Estimate of the error of the last step, one value per entry of y.
       Eigen::VectorXd
       local_error() const;
+
+      /// The rate at the end of the last step as its last stage has it.
+      const Eigen::VectorXd &
+      end_rate() const;
+
+      /**
+       * What becomes of a perturbation of y during a step like the last one:
+       * an implicit Euler step of the linearised equation, with the matrix of
+       * the last Newton iteration.
+       */
+      Eigen::VectorXd
+      damp(const Eigen::VectorXd &perturbation) const;
 
     private:
       struct Memory;

@@ -48,6 +48,17 @@ namespace Tribody
       depth_for_removed_area(const BoreSurface     &surface,
                              const Eigen::VectorXd &removed_area) const;
 
+      /**
+       * The depth after node i has lost the cross-section area @p removed_area
+       * [m^2], exactly: the area inside the curve is quadratic in the depth, so
+       * that its change is @f$ \sum_i D_i(\bar h) \Delta h_i @f$ with the
+       * derivative D at the mean @f$ \bar h @f$ of both depths. With
+       * @f$ D_i(\bar h) \Delta h_i = A_i @f$ the geometry loses the sum of
+       * what its nodes lose, whatever the step.
+       */
+      Eigen::VectorXd
+      depth_after_removing(const Eigen::VectorXd &removed_area) const;
+
       double
       max_depth() const;
 
