@@ -63,7 +63,8 @@ namespace Tribody
         contact.penetration_rate -=
           c.first_derivative * contact.swing_speed / r;
 
-      if (contact.penetration > 0)
+      // A spring-damper presses from the first touch on, at zero penetration.
+      if (contact.penetration >= 0 && r > smallest_eccentricity)
         {
           contact.normal_force = compute_normal_force(contact_law,
                                                       {contact.penetration,
@@ -138,7 +139,8 @@ namespace Tribody
       const JointContact contact =
         compute_contact(q, v, clearance, approach_speed, friction_state);
       ClearanceForce result;
-      if (contact.penetration <= 0)
+      if (contact.penetration < 0 ||
+          contact.eccentricity.norm() <= smallest_eccentricity)
         {
           result.force.setZero();
           result.d_position.setZero();

@@ -115,7 +115,7 @@ namespace Tribody
     {
       const double force =
         stiffness * contact.penetration + damping * contact.penetration_rate;
-      if (contact.penetration <= 0 || force <= 0)
+      if (contact.penetration < 0 || force <= 0)
         return {};
       return {force, stiffness, damping};
     }

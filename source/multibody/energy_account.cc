@@ -158,7 +158,7 @@ namespace Tribody
                                     Eigen::VectorXd      &result) const
     {
       const JointContact contact = equations->compute_contact(joint, state);
-      if (contact.penetration <= 0)
+      if (contact.penetration < 0)
         return;
       const ClearanceJoint &element =
         equations->mechanism().clearance_joints()[joint];

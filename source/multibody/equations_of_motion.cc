@@ -263,7 +263,7 @@ namespace Tribody
                                   clearances[j],
                                   approach_speeds[j],
                                   friction_state(joint, z));
-          if (contact.penetration > 0)
+          if (contact.penetration >= 0)
             joint.bodies.add_to(joint.compute_force(local_q, contact), forces);
         }
     }

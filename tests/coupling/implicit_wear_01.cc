@@ -142,11 +142,6 @@ namespace
     const auto                 run_tightly = [&](Run &run, const double eps) {
       ImplicitJump jump(run.bushings, run.stop_conditions, eps);
       run.go_to(end, jump);
-      std::cerr << eps << " " << run.depth() << " " << run.volume() << " est "
-                << run.depth_error / run.depth() << " "
-                << run.volume_error / run.volume() << " steps " << run.n_steps
-                << " evals " << jump.n_rate_evaluations() << " osc "
-                << run.oscillation << std::endl;
     };
 
     Run reference(0.139e9, 60, duty_cycle);
@@ -173,9 +168,6 @@ namespace
                            explicit_run.stop_conditions,
                            0.);
         explicit_run.go_to(end, steps);
-        std::cerr << "explicit " << explicit_run.depth() << " "
-                  << explicit_run.n_steps << " " << explicit_run.oscillation
-                  << std::endl;
         Run fine(0.139e9, 120, duty_cycle);
         run_tightly(fine, eps);
         std::cout << "explicit steps within the estimate: "
