@@ -176,8 +176,10 @@ def integrate(mechanism, rtol, atol):
     if mechanism.contact is not None:
         slowest = mechanism.contact["contact"]["minimum_approach_speed"]
 
-        def event(_, y):
-            return mechanism.penetration(y[:mechanism.n])
+        # The onset that an integration starts from is not to be found again.
+        def event(now, y):
+            just_begun = now <= t + 1e-6
+            return 1. if just_begun else mechanism.penetration(y[:mechanism.n])
         event.terminal, event.direction = True, 1
 
     # SciPy's own difference quotients overflow for coordinates that nothing
@@ -223,9 +225,6 @@ def integrate(mechanism, rtol, atol):
             e = (mechanism.point(mechanism.contact["pin"], q, v)[1] -
                  mechanism.point(mechanism.contact["bushing"], q, v)[1])
             approach_speed = max(slowest, e @ e_t / np.hypot(*e))
-            y = y.copy()
-            # Past the root, which is not to be found again.
-            t += 1e-12
         else:
             break
     seconds = (time.perf_counter() - begin) / 2
