@@ -297,8 +297,14 @@ namespace Tribody
 
       for (unsigned int k = 0; k < combination.size(); ++k)
         if ((present_combination[k] || has_hit[k]) && !combination[k])
-          the_events.push_back(
-            {state.time, n_contacts() + k, false, 0., 0., 0.});
+          {
+            const ImpactJoint &pin = equations.mechanism().impact_joints()[k];
+            const BodyPair    &bodies = pin.link->bodies;
+            const double       rate =
+              pin.normal_row(bodies.gather(state.q)) * bodies.gather(state.v);
+            the_events.push_back(
+              {state.time, n_contacts() + k, false, rate, 0., 0.});
+          }
       present_combination = combination;
       present->integrator->set_energy_account(nullptr);
       present = &mode(combination);
