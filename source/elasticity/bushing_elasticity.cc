@@ -4,13 +4,14 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
+#include <tribody/base/cholesky_factor.h>
 #include <tribody/base/direct_solver.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/stiffness.h>
 #include <tribody/elasticity/surface_compliance.h>
 #include <tribody/surface/boundary_ids.h>
 
-#include <algorithm>
+#include <vector>
 
 namespace Tribody
 {
@@ -18,9 +19,34 @@ namespace Tribody
   {
     namespace
     {
-      /// Right-hand sides that are solved for at a time: enough for KLU to
-      /// reuse its factors, few enough to stay in the cache.
-      constexpr Eigen::Index block_size = 16;
+      /// @p stiffness with the normal and the tangential displacement of each
+      /// bore node in the places of x and y.
+      Eigen::SparseMatrix<double>
+      turn_to_normals(const dealii::TrilinosWrappers::SparseMatrix &stiffness,
+                      const BoreNodes                              &nodes,
+                      const Eigen::Matrix2Xd                       &normals)
+      {
+        std::vector<Eigen::Triplet<double>> entries;
+        std::vector<bool>                   turned(stiffness.m(), false);
+        for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+          {
+            const int x = nodes.x_dofs[i], y = nodes.y_dofs[i];
+            entries.emplace_back(x, x, normals(0, i));
+            entries.emplace_back(y, x, normals(1, i));
+            entries.emplace_back(x, y, -normals(1, i));
+            entries.emplace_back(y, y, normals(0, i));
+            turned[x] = turned[y] = true;
+          }
+        for (unsigned int i = 0; i < turned.size(); ++i)
+          if (!turned[i])
+            entries.emplace_back(i, i, 1.);
+        Eigen::SparseMatrix<double> turn(stiffness.m(), stiffness.m());
+        turn.setFromTriplets(entries.begin(), entries.end());
+
+        const Eigen::SparseMatrix<double> turned_columns =
+          to_eigen(stiffness) * turn;
+        return turn.transpose() * turned_columns;
+      }
     } // namespace
 
 
@@ -65,43 +91,60 @@ namespace Tribody
     {
       solver.reset();
       assemble_stiffness(mapping, dof_handler, constraints, law, stiffness);
-      solver = std::make_unique<DirectSolver>(stiffness);
+      is_assembled = true;
+    }
+
+
+
+    const DirectSolver &
+    BushingElasticity::direct_solver() const
+    {
+      Assert(is_assembled, dealii::ExcNotInitialized());
+      if (solver == nullptr)
+        solver = std::make_unique<DirectSolver>(stiffness);
+      return *solver;
     }
 
 
 
     Eigen::MatrixXd
     BushingElasticity::normal_compliance(const Eigen::Matrix2Xd &normals,
-                                         const RingSymmetry      symmetry) const
+                                         const RingSymmetry      symmetry,
+                                         const MPI_Comm &communicator) const
     {
-      Assert(solver != nullptr, dealii::ExcNotInitialized());
-      const Eigen::Index n = nodes.n_nodes();
-      AssertDimension(normals.cols(), n);
-      const bool   cells_alike = (symmetry == RingSymmetry::cells_alike);
-      Eigen::Index n_columns   = cells_alike ? nodes.degree : n;
+      Assert(is_assembled, dealii::ExcNotInitialized());
+      AssertDimension(normals.cols(), nodes.n_nodes());
+      if (symmetry == RingSymmetry::cells_alike)
+        return symmetric_part(
+          repeat_around(first_columns(normals, nodes.degree)), "bushing");
 
-      Eigen::MatrixXd compliance(n, n_columns);
-      for (Eigen::Index first = 0; first < n_columns; first += block_size)
+      // The normal displacement of a bore node takes the place of x. Hanging
+      // nodes are never bore nodes.
+      const CholeskyFactor factor(turn_to_normals(stiffness, nodes, normals),
+                                  {nodes.x_dofs.begin(), nodes.x_dofs.end()});
+      return factor.compute_inverse_block(communicator);
+    }
+
+
+
+    Eigen::MatrixXd
+    BushingElasticity::first_columns(const Eigen::Matrix2Xd &normals,
+                                     const Eigen::Index      n_columns) const
+    {
+      const Eigen::Index n = nodes.n_nodes();
+      Eigen::MatrixXd    forces =
+        Eigen::MatrixXd::Zero(dof_handler.n_dofs(), n_columns);
+      for (Eigen::Index j = 0; j < n_columns; ++j)
         {
-          const Eigen::Index n_block = std::min(block_size, n_columns - first);
-          Eigen::MatrixXd    forces =
-            Eigen::MatrixXd::Zero(dof_handler.n_dofs(), n_block);
-          for (Eigen::Index j = 0; j < n_block; ++j)
-            {
-              forces(nodes.x_dofs[first + j], j) = normals(0, first + j);
-              forces(nodes.y_dofs[first + j], j) = normals(1, first + j);
-            }
-          // Hanging nodes never carry a bore node's weight, and what they
-          // are themselves is not asked for here.
-          const Eigen::MatrixXd displacements = solver->solve(forces);
-          for (Eigen::Index i = 0; i < n; ++i)
-            compliance.block(i, first, 1, n_block) =
-              normals(0, i) * displacements.row(nodes.x_dofs[i]) +
-              normals(1, i) * displacements.row(nodes.y_dofs[i]);
+          forces(nodes.x_dofs[j], j) = normals(0, j);
+          forces(nodes.y_dofs[j], j) = normals(1, j);
         }
-      return symmetric_part(cells_alike ? repeat_around(compliance)
-                                        : compliance,
-                            "bushing");
+      const Eigen::MatrixXd displacements = direct_solver().solve(forces);
+      Eigen::MatrixXd       columns(n, n_columns);
+      for (Eigen::Index i = 0; i < n; ++i)
+        columns.row(i) = normals(0, i) * displacements.row(nodes.x_dofs[i]) +
+                         normals(1, i) * displacements.row(nodes.y_dofs[i]);
+      return columns;
     }
 
 
@@ -109,7 +152,6 @@ namespace Tribody
     dealii::Vector<double>
     BushingElasticity::solve(const Eigen::Matrix2Xd &nodal_forces) const
     {
-      Assert(solver != nullptr, dealii::ExcNotInitialized());
       AssertDimension(nodal_forces.cols(), nodes.n_nodes());
       dealii::Vector<double> forces(dof_handler.n_dofs());
       for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
@@ -117,7 +159,7 @@ namespace Tribody
           forces[nodes.x_dofs[i]] = nodal_forces(0, i);
           forces[nodes.y_dofs[i]] = nodal_forces(1, i);
         }
-      dealii::Vector<double> displacement = solver->solve(forces);
+      dealii::Vector<double> displacement = direct_solver().solve(forces);
       constraints.distribute(displacement);
       return displacement;
     }

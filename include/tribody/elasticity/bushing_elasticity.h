@@ -39,8 +39,8 @@ namespace Tribody
      *
      * Use: construct once per mesh, reinit() per geometry, then
      * normal_compliance() for the contact and solve() for output. The stiffness
-     * is assembled and factorised once per geometry. For 180 by 6 quadratic
-     * cells this takes 0.04 s and the compliance 0.1 s.
+     * is assembled once per geometry and factorised for what is asked for. For
+     * 180 by 6 quadratic cells all this takes 0.1 s.
      */
     class BushingElasticity
     {
@@ -53,8 +53,7 @@ namespace Tribody
 
       ~BushingElasticity();
 
-      /// Assemble the stiffness on the image of the mesh under @p mapping and
-      /// factorise it.
+      /// Assemble the stiffness on the image of the mesh under @p mapping.
       void
       reinit(const dealii::Mapping<2, 2> &mapping);
 
@@ -66,12 +65,18 @@ namespace Tribody
        *
        * @param normals unit vectors, one column for each bore node.
        * @param symmetry of mesh and geometry; with cells that are all alike,
-       *   one column per node of a cell is solved for.
-       * @throws ExcRun if the result is not symmetric to rounding.
+       *   one column per node of a cell is solved for. Without, all columns are
+       *   the inverse of what a Cholesky factor leaves of the stiffness at the
+       *   bore, see CholeskyFactor.
+       * @param communicator of ranks that hold the same bushing and share the
+       *   columns. All of them get the result, which does not depend on their
+       *   number.
+       * @throws ExcRun if the stiffness is singular.
        */
       Eigen::MatrixXd
       normal_compliance(const Eigen::Matrix2Xd &normals,
-                        const RingSymmetry symmetry = RingSymmetry::none) const;
+                        const RingSymmetry      symmetry = RingSymmetry::none,
+                        const MPI_Comm &communicator     = MPI_COMM_SELF) const;
 
       /// Displacement [m] under forces at the bore nodes [N/m], one column
       /// each.
@@ -105,13 +110,22 @@ namespace Tribody
       }
 
     private:
+      /// For single right-hand sides, factorised when first needed.
+      const DirectSolver &
+      direct_solver() const;
+
+      Eigen::MatrixXd
+      first_columns(const Eigen::Matrix2Xd &normals,
+                    const Eigen::Index      n_columns) const;
+
       PlaneHooke                             law;
       dealii::FESystem<2>                    fe;
       dealii::DoFHandler<2, 2>               dof_handler;
       dealii::AffineConstraints<double>      constraints;
       BoreNodes                              nodes;
       dealii::TrilinosWrappers::SparseMatrix stiffness;
-      std::unique_ptr<DirectSolver>          solver;
+      bool                                   is_assembled = false;
+      mutable std::unique_ptr<DirectSolver>  solver;
     };
   } // namespace Elasticity
 } // namespace Tribody
