@@ -1,16 +1,8 @@
-#include <deal.II/base/utilities.h>
-#include <deal.II/fe/mapping_q.h>
-#include <deal.II/lac/vector.h>
-
 #include <tribody/base/exceptions.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/elasticity/pin_elasticity.h>
-#include <tribody/elasticity/stress_postprocessor.h>
 #include <tribody/multibody/duty_cycle.h>
-#include <tribody/output/bushing_vtu.h>
-#include <tribody/surface/turned_interpolation.h>
 #include <tribody/wear/archard_law.h>
 #include <tribody/wear/constant_extrapolation.h>
 
@@ -25,30 +17,6 @@ namespace Tribody
   {
     namespace
     {
-      // A mesh must exist before the members that live on it are constructed.
-      dealii::Triangulation<2>
-      make_mesh(const BushingParameters          &parameters,
-                const Multibody::JointParameters &joint)
-      {
-        dealii::Triangulation<2> triangulation;
-        Elasticity::make_ring_mesh(parameters.mesh,
-                                   joint.bushing_radius,
-                                   parameters.outer_radius,
-                                   triangulation);
-        return triangulation;
-      }
-
-
-
-      Elasticity::PlaneState
-      plane_state(const std::string &name)
-      {
-        return name == "plane stress" ? Elasticity::PlaneState::stress
-                                      : Elasticity::PlaneState::strain;
-      }
-
-
-
       Wear::WearProfile
       make_profile(const BoreNodes &nodes)
       {
@@ -65,42 +33,9 @@ namespace Tribody
                                    const double compliance_update)
       : parameters(parameters)
       , joint(joint)
-      , compliance_update(compliance_update)
-      , triangulation(make_mesh(parameters, joint))
-      , geometry(triangulation, parameters.element_degree, parameters.name)
-      , elasticity(triangulation,
-                   parameters.element_degree,
-                   joint.bushing_material,
-                   plane_state(parameters.plane_state))
-      , wear_profile(make_profile(geometry.bore_nodes()))
-      , surface(wear_profile.surface())
-    {
-      if (parameters.pin_is_elastic(joint))
-        setup_pin();
-      update_compliance();
-    }
-
-
-
-    void
-    WearingBushing::setup_pin()
-    {
-      dealii::Triangulation<2> mesh;
-      Elasticity::make_pin_mesh(parameters.mesh,
-                                parameters.pin_hole_radius,
-                                joint.pin_radius,
-                                mesh);
-      Elasticity::PinElasticity pin(mesh,
-                                    parameters.element_degree,
-                                    joint.pin_material,
-                                    plane_state(parameters.plane_state));
-      pin.reinit(dealii::MappingQ<2>(parameters.element_degree));
-      pin_surface = make_bore_surface(pin.surface_nodes().positions,
-                                      parameters.element_degree);
-      pin_compliance =
-        pin.normal_compliance(pin.surface_nodes().radial_directions(),
-                              Elasticity::RingSymmetry::cells_alike);
-    }
+      , elastic(parameters, joint, compliance_update)
+      , wear_profile(make_profile(elastic.bore_nodes()))
+    {}
 
 
 
@@ -121,7 +56,7 @@ namespace Tribody
 
       const Wear::ArchardLaw archard{parameters.wear_coefficient};
       Contact::ContactSolver solver(contact.surface,
-                                    compliance,
+                                    elastic.compliance(),
                                     joint.pin_radius,
                                     parameters.contact_solver);
 
@@ -194,7 +129,7 @@ namespace Tribody
       const Eigen::Index        n        = contact.surface.n_nodes();
       Eigen::MatrixXd           jacobian = Eigen::MatrixXd::Zero(n, n);
       Contact::ForceSensitivity sensitivity(contact.surface.positions,
-                                            compliance,
+                                            elastic.compliance(),
                                             joint.pin_radius);
       // Samples with the same nodes in contact one after the other.
       std::vector<std::size_t> order(contact.samples.size());
@@ -220,36 +155,10 @@ namespace Tribody
     void
     WearingBushing::set_depth(const Eigen::VectorXd &depth)
     {
-      geometry.update(depth);
-      wear_profile.depth = depth;
-      surface            = wear_profile.surface();
-
-      const double wall = parameters.outer_radius - joint.bushing_radius;
-      if ((depth - depth_at_compliance).lpNorm<Eigen::Infinity>() >
-          compliance_update * wall)
-        update_compliance();
-    }
-
-
-
-    void
-    WearingBushing::update_compliance()
-    {
-      elasticity.reinit(geometry.mapping());
-      const bool is_unworn = wear_profile.depth.isZero(0.);
-      compliance =
-        elasticity.normal_compliance(surface.normals,
-                                     is_unworn
-                                       ? Elasticity::RingSymmetry::cells_alike
-                                       : Elasticity::RingSymmetry::none);
-      if (has_elastic_pin())
-        {
-          const Eigen::MatrixXd P =
-            make_turned_interpolation(surface, pin_surface, /*angle = */ 0.);
-          compliance += P.transpose() * pin_compliance * P;
-        }
-      depth_at_compliance = wear_profile.depth;
-      ++n_builds;
+      Wear::WearProfile worn = wear_profile;
+      worn.depth             = depth;
+      elastic.update(worn);
+      wear_profile = worn;
     }
 
 
@@ -279,7 +188,7 @@ namespace Tribody
     double
     WearingBushing::worn_volume() const
     {
-      return geometry.removed_area() * parameters.axial_length;
+      return elastic.removed_area() * parameters.axial_length;
     }
 
 
@@ -292,8 +201,8 @@ namespace Tribody
         parameters.wear_coefficient * sliding_per_cycle;
       if (!(wear_per_pressure > 0.))
         return std::numeric_limits<double>::max();
-      return Wear::max_stable_step(compliance,
-                                   wear_profile.area_derivative(surface),
+      return Wear::max_stable_step(elastic.compliance(),
+                                   wear_profile.area_derivative(elastic.bore()),
                                    wear_per_pressure);
     }
 
@@ -303,22 +212,7 @@ namespace Tribody
     WearingBushing::write_vtu(const std::string  &file_name,
                               const CycleContact &contact) const
     {
-      const Contact::ContactSolution &solution = contact.at_peak_force();
-      const Eigen::Matrix2Xd          nodal_forces =
-        surface.normals * solution.nodal_force.asDiagonal();
-      const dealii::Vector<double> displacement =
-        elasticity.solve(nodal_forces);
-      const Elasticity::StressPostprocessor stresses(elasticity.hooke());
-
-      Output::write_bushing_vtu(file_name,
-                                {geometry.mapping(),
-                                 elasticity.get_dof_handler(),
-                                 elasticity.bore_nodes(),
-                                 stresses,
-                                 displacement,
-                                 geometry.wear_displacement(),
-                                 solution.pressure,
-                                 wear_profile.depth});
+      elastic.write_vtu(file_name, contact.at_peak_force());
     }
   } // namespace Coupling
 } // namespace Tribody

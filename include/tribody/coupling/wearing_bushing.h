@@ -1,14 +1,11 @@
 #ifndef tribody_coupling_wearing_bushing_h
 #define tribody_coupling_wearing_bushing_h
 
-#include <deal.II/grid/tria.h>
-
 #include <Eigen/Core>
 
 #include <tribody/contact/contact_solution.h>
 #include <tribody/coupling/bushing_parameters.h>
-#include <tribody/elasticity/bushing_elasticity.h>
-#include <tribody/geometry/worn_configuration.h>
+#include <tribody/coupling/elastic_joint.h>
 #include <tribody/multibody/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
 #include <tribody/surface/clearance_profile.h>
@@ -53,16 +50,12 @@ namespace Tribody
     };
 
     /**
-     * The bushing of one joint: an elastic ring whose bore wears. Its state is
-     * the wear profile; mesh, worn geometry and compliance follow from it. If
-     * the pin is elastic, its compliance is added to that of the bore,
-     * @f$ C = C_b + P^T C_p P @f$ with P of make_turned_interpolation(). The
-     * pin does not wear, so it looks the same from all sides and P needs no
-     * angle.
+     * The bushing of one joint, whose bore wears. Its state is the wear
+     * profile; what gives way follows from it, see ElasticJoint.
      *
      * Two operations make up the chain: compute_cycle_contact() turns joint
-     * forces and sliding into pressure and wear per cycle, wear_by() turns wear
-     * into new geometry.
+     * forces and sliding into pressure and wear per cycle, set_depth() turns
+     * wear into new geometry.
      */
     class WearingBushing
     {
@@ -120,7 +113,7 @@ namespace Tribody
       const Eigen::VectorXd &
       node_angles() const
       {
-        return geometry.bore_nodes().angles;
+        return elastic.bore_nodes().angles;
       }
 
       /// Clearance between pin and worn bore, c + h, over the angle (eq. 28).
@@ -149,13 +142,13 @@ namespace Tribody
       unsigned int
       n_compliance_builds() const
       {
-        return n_builds;
+        return elastic.n_compliance_builds();
       }
 
       bool
       has_elastic_pin() const
       {
-        return pin_compliance.size() > 0;
+        return elastic.has_elastic_pin();
       }
 
       const BushingParameters &
@@ -171,12 +164,6 @@ namespace Tribody
       }
 
     private:
-      void
-      update_compliance();
-
-      void
-      setup_pin();
-
       Eigen::Vector2d
       force_per_length(const Multibody::JointDutyCycle &cycle,
                        const Eigen::Index               j) const;
@@ -186,23 +173,10 @@ namespace Tribody
                        const Eigen::Index               j,
                        const SolverReport              &report) const;
 
-      BushingParameters             parameters;
-      Multibody::JointParameters    joint;
-      double                        compliance_update;
-      dealii::Triangulation<2>      triangulation;
-      Geometry::WornConfiguration   geometry;
-      Elasticity::BushingElasticity elasticity;
-      Wear::WearProfile             wear_profile;
-
-      /// Of the elastic pin; empty if it is rigid.
-      BoreSurface     pin_surface;
-      Eigen::MatrixXd pin_compliance;
-
-      BoreSurface surface;
-      /// Of bore and pin, at the bore nodes.
-      Eigen::MatrixXd compliance;
-      Eigen::VectorXd depth_at_compliance;
-      unsigned int    n_builds = 0;
+      BushingParameters          parameters;
+      Multibody::JointParameters joint;
+      ElasticJoint               elastic;
+      Wear::WearProfile          wear_profile;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -1,0 +1,122 @@
+#ifndef tribody_coupling_elastic_joint_h
+#define tribody_coupling_elastic_joint_h
+
+#include <deal.II/grid/tria.h>
+
+#include <Eigen/Core>
+
+#include <tribody/contact/contact_solution.h>
+#include <tribody/coupling/bushing_parameters.h>
+#include <tribody/elasticity/bushing_elasticity.h>
+#include <tribody/geometry/worn_configuration.h>
+#include <tribody/multibody/joint_parameters.h>
+#include <tribody/surface/bore_surface.h>
+#include <tribody/wear/wear_profile.h>
+
+#include <string>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /**
+     * How the surfaces of one joint give way to contact forces: the meshed
+     * bushing, worn to a given profile, and its normal compliance at the bore
+     * nodes. If the pin is elastic, its compliance is added to that of the
+     * bore, @f$ C = C_b + P^T C_p P @f$ with P of make_turned_interpolation().
+     * A round pin looks the same from all sides, so that P needs no angle.
+     */
+    class ElasticJoint
+    {
+    public:
+      /**
+       * Unworn.
+       * @param compliance_update change of the profile, as a fraction of the
+       *   wall, after which the compliance is computed anew [-].
+       */
+      ElasticJoint(const BushingParameters          &parameters,
+                   const Multibody::JointParameters &joint,
+                   const double                      compliance_update);
+
+      /**
+       * Take the shape of @p profile, whose nodes must be bore_nodes().
+       * @throws ExcRun if the worn geometry cannot be meshed.
+       */
+      void
+      update(const Wear::WearProfile &profile);
+
+      const BoreNodes &
+      bore_nodes() const
+      {
+        return geometry.bore_nodes();
+      }
+
+      /// The worn bore of the last update().
+      const BoreSurface &
+      bore() const
+      {
+        return surface;
+      }
+
+      /// Normal compliance of bore and pin at the bore nodes [m per N/m]. It
+      /// follows the shape with the lag that compliance_update allows.
+      const Eigen::MatrixXd &
+      compliance() const
+      {
+        return joint_compliance;
+      }
+
+      bool
+      has_elastic_pin() const
+      {
+        return pin_compliance.size() > 0;
+      }
+
+      /// Cross-section area that wear has removed, measured on the mesh [m^2].
+      double
+      removed_area() const
+      {
+        return geometry.removed_area();
+      }
+
+      unsigned int
+      n_compliance_builds() const
+      {
+        return n_builds;
+      }
+
+      /// Write displacement and stresses under @p contact, and the wear, to a
+      /// VTU file.
+      void
+      write_vtu(const std::string              &file_name,
+                const Contact::ContactSolution &contact) const;
+
+    private:
+      void
+      setup_pin(const BushingParameters          &parameters,
+                const Multibody::JointParameters &joint);
+
+      void
+      update_compliance();
+
+      /// Change of the depth after which the compliance is computed anew [m].
+      double                        allowed_change;
+      dealii::Triangulation<2>      triangulation;
+      Geometry::WornConfiguration   geometry;
+      Elasticity::BushingElasticity elasticity;
+
+      /// Of the elastic pin; empty if it is rigid.
+      BoreSurface     pin_surface;
+      Eigen::MatrixXd pin_compliance;
+
+      Eigen::VectorXd depth;
+      BoreSurface     surface;
+      /// Of bore and pin, at the bore nodes.
+      Eigen::MatrixXd joint_compliance;
+      Eigen::VectorXd depth_at_compliance;
+      unsigned int    n_builds = 0;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif
