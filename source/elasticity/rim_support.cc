@@ -52,15 +52,16 @@ namespace Tribody
     void
     RimSupport::check(const std::string &path) const
     {
-      AssertThrow(is_clamped() || normal_stiffness > 0.,
-                  ExcParameter(path + "/Foundation normal stiffness",
-                               Units::to_string(normal_stiffness, "N/m^3", "") +
-                                 " must be positive if 'Outer support' is "
-                                 "'elastic foundation'"));
+      AssertThrow(
+        is_clamped() || normal_stiffness > 0.,
+        ExcParameter(path + "/Foundation normal stiffness",
+                     Units::to_string(normal_stiffness, "N/m^3", "N/m^3") +
+                       " must be positive if 'Outer support' is "
+                       "'elastic foundation'"));
       AssertThrow(
         tangential_stiffness >= 0.,
         ExcParameter(path + "/Foundation tangential stiffness",
-                     Units::to_string(tangential_stiffness, "N/m^3", "") +
+                     Units::to_string(tangential_stiffness, "N/m^3", "N/m^3") +
                        " must be positive, or 0 for that of the "
                        "normal"));
     }
