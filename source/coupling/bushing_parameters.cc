@@ -1,8 +1,10 @@
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
+#include <tribody/coupling/bushing_mesh.h>
 #include <tribody/coupling/bushing_parameters.h>
 #include <tribody/multibody/joint_parameters.h>
 
@@ -24,10 +26,11 @@ namespace Tribody
                                "Outer radius",
                                outer_radius,
                                "m",
-                               "Radius of the rim, which is held without "
-                               "moving; larger than the joint's bushing "
-                               "radius.",
+                               "Radius of the rim, larger than the joint's "
+                               "bushing radius.",
                                "mm");
+      rim_shape.add_parameters(prm);
+      rim_support.add_parameters(prm);
       Parameters::add_choice(
         prm,
         "Plane state",
@@ -118,6 +121,7 @@ namespace Tribody
                                "g");
       prm.enter_subsection("Mesh");
       mesh.add_parameters(prm);
+      mesh_file.add_parameters(prm);
       prm.leave_subsection();
       prm.enter_subsection("Contact solver");
       contact_solver.add_parameters(prm);
@@ -134,13 +138,6 @@ namespace Tribody
                   ExcParameter(path + "Axial length",
                                Units::to_string(axial_length, "m", "mm") +
                                  " must be positive"));
-      AssertThrow(
-        outer_radius > joint.bushing_radius,
-        ExcParameter(path + "Outer radius",
-                     Units::to_string(outer_radius, "m", "mm") +
-                       " must be larger than the bushing radius of "
-                       "the joint, " +
-                       Units::to_string(joint.bushing_radius, "m", "mm")));
       AssertThrow(
         pin_hole_radius >= 0. && pin_hole_radius < joint.pin_radius,
         ExcParameter(path + "Pin hole radius",
@@ -161,8 +158,43 @@ namespace Tribody
         AssertThrow(limit >= 0.,
                     ExcParameter(path + name_of_limit,
                                  "must not be negative; 0 means no limit"));
+      rim_support.check("Bushing " + name);
       mesh.check(path + "Mesh");
+      check_mesh(joint);
       contact_solver.check(path + "Contact solver");
+    }
+
+
+
+    void
+    BushingParameters::check_mesh(const Multibody::JointParameters &joint) const
+    {
+      if (!mesh_file.is_given())
+        {
+          AssertThrow(
+            outer_radius > joint.bushing_radius,
+            ExcParameter("Bushing " + name + "/Outer radius",
+                         Units::to_string(outer_radius, "m", "mm") +
+                           " must be larger than the bushing radius of "
+                           "the joint, " +
+                           Units::to_string(joint.bushing_radius, "m", "mm")));
+          rim_shape.check("Bushing " + name,
+                          joint.bushing_radius,
+                          outer_radius);
+        }
+      // A file must be read to know whether it is one, a sector be refined to
+      // know whether there is anything in it.
+      if (mesh_file.is_given() || mesh.n_sector_refinements > 0)
+        make_bushing_mesh(*this, joint.bushing_radius);
+    }
+
+
+
+    bool
+    BushingParameters::cells_are_alike() const
+    {
+      return !mesh_file.is_given() && rim_shape.is_concentric_circle() &&
+             mesh.n_sector_refinements == 0;
     }
 
 

@@ -310,6 +310,23 @@ namespace Tribody
 
 
 
+      // Mesh files are named relative to the parameter file that names them,
+      // or to the current directory on the command line.
+      void
+      resolve_mesh_files(const ParameterFile &file, CaseParameters &parameters)
+      {
+        for (BushingParameters &bushing : parameters.bushings)
+          if (bushing.mesh_file.is_given())
+            bushing.mesh_file.name =
+              (std::filesystem::path(
+                 file.location("Bushing " + bushing.name + "/Mesh/File"))
+                 .parent_path() /
+               bushing.mesh_file.name)
+                .string();
+      }
+
+
+
       // A driver has a speed, or a time function with its amplitude, or both.
       template <typename Require>
       void
@@ -385,8 +402,12 @@ namespace Tribody
           require("Material " + material.name,
                   {"Young's modulus", "Poisson's ratio", "Density"});
         for (const BushingParameters &bushing : parameters.bushings)
-          require("Bushing " + bushing.name,
-                  {"Axial length", "Outer radius", "Wear coefficient"});
+          {
+            require("Bushing " + bushing.name,
+                    {"Axial length", "Wear coefficient"});
+            if (!bushing.mesh_file.is_given())
+              require("Bushing " + bushing.name, {"Outer radius"});
+          }
       }
 
 
@@ -522,6 +543,7 @@ namespace Tribody
           check_bushing_joints(parameters);
           check_required(file, parameters);
           resolve_materials(parameters);
+          resolve_mesh_files(file, parameters);
           check(parameters);
         }
       catch (const ExcParameter &exception)

@@ -1,6 +1,7 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/vector.h>
 
+#include <tribody/coupling/bushing_mesh.h>
 #include <tribody/coupling/elastic_joint.h>
 #include <tribody/elasticity/pin_elasticity.h>
 #include <tribody/elasticity/ring_mesh.h>
@@ -8,32 +9,35 @@
 #include <tribody/output/bushing_vtu.h>
 #include <tribody/surface/turned_interpolation.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Tribody
 {
   namespace Coupling
   {
     namespace
     {
-      // A mesh must exist before the members that live on it are constructed.
-      dealii::Triangulation<2>
-      make_mesh(const BushingParameters          &parameters,
-                const Multibody::JointParameters &joint)
-      {
-        dealii::Triangulation<2> triangulation;
-        Elasticity::make_ring_mesh(parameters.mesh,
-                                   joint.bushing_radius,
-                                   parameters.outer_radius,
-                                   triangulation);
-        return triangulation;
-      }
-
-
-
       Elasticity::PlaneState
       plane_state(const std::string &name)
       {
         return name == "plane stress" ? Elasticity::PlaneState::stress
                                       : Elasticity::PlaneState::strain;
+      }
+
+
+
+      // Cells around the bore, if all were as narrow as the narrowest.
+      unsigned int
+      finest_bore_cells(const BoreNodes &nodes)
+      {
+        double narrowest = 2. * M_PI;
+        for (Eigen::Index i = nodes.degree; i < nodes.n_nodes();
+             i += nodes.degree)
+          narrowest =
+            std::min(narrowest,
+                     nodes.angles[i] - nodes.angles[i - nodes.degree]);
+        return std::lround(2. * M_PI / narrowest);
       }
     } // namespace
 
@@ -42,14 +46,17 @@ namespace Tribody
     ElasticJoint::ElasticJoint(const BushingParameters          &parameters,
                                const Multibody::JointParameters &joint,
                                const double compliance_update)
-      : allowed_change(compliance_update *
-                       (parameters.outer_radius - joint.bushing_radius))
-      , triangulation(make_mesh(parameters, joint))
+      : cells_are_alike(parameters.cells_are_alike())
+      , triangulation(make_bushing_mesh(parameters, joint.bushing_radius))
+      , allowed_change(
+          compliance_update *
+          Elasticity::thinnest_wall(triangulation, joint.bushing_radius))
       , geometry(triangulation, parameters.element_degree, parameters.name)
       , elasticity(triangulation,
                    parameters.element_degree,
                    joint.bushing_material,
-                   plane_state(parameters.plane_state))
+                   plane_state(parameters.plane_state),
+                   parameters.rim_support)
       , depth(Eigen::VectorXd::Zero(geometry.bore_nodes().n_nodes()))
       , surface(make_bore_surface(geometry.bore_nodes().positions,
                                   geometry.bore_nodes().degree))
@@ -65,8 +72,11 @@ namespace Tribody
     ElasticJoint::setup_pin(const BushingParameters          &parameters,
                             const Multibody::JointParameters &joint)
     {
+      // As finely as the bore where that is finest.
+      Elasticity::RingMeshParameters cells = parameters.mesh;
+      cells.n_bore_cells                   = finest_bore_cells(bore_nodes());
       dealii::Triangulation<2> mesh;
-      Elasticity::make_pin_mesh(parameters.mesh,
+      Elasticity::make_pin_mesh(cells,
                                 parameters.pin_hole_radius,
                                 joint.pin_radius,
                                 mesh);
@@ -103,7 +113,7 @@ namespace Tribody
       elasticity.reinit(geometry.mapping());
       joint_compliance =
         elasticity.normal_compliance(surface.normals,
-                                     depth.isZero(0.)
+                                     cells_are_alike && depth.isZero(0.)
                                        ? Elasticity::RingSymmetry::cells_alike
                                        : Elasticity::RingSymmetry::none);
       if (has_elastic_pin())

@@ -55,8 +55,10 @@ namespace Tribody
       const dealii::Triangulation<2, 2> &triangulation,
       const unsigned int                 degree,
       const Material                    &material,
-      const PlaneState                   plane_state)
+      const PlaneState                   plane_state,
+      const RimSupport                  &support)
       : law(material, plane_state)
+      , support(support)
       , fe(dealii::FE_Q<2>(degree), 2)
       , dof_handler(triangulation)
     {
@@ -64,9 +66,10 @@ namespace Tribody
       nodes = make_bore_nodes(dof_handler);
 
       dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-      dealii::DoFTools::make_zero_boundary_constraints(dof_handler,
-                                                       BoundaryIds::rim,
-                                                       constraints);
+      if (support.is_clamped())
+        dealii::DoFTools::make_zero_boundary_constraints(dof_handler,
+                                                         BoundaryIds::rim,
+                                                         constraints);
       constraints.close();
 
       dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
@@ -91,6 +94,9 @@ namespace Tribody
     {
       solver.reset();
       assemble_stiffness(mapping, dof_handler, constraints, law, stiffness);
+      if (!support.is_clamped())
+        assemble_foundation(
+          mapping, dof_handler, constraints, support, stiffness);
       is_assembled = true;
     }
 

@@ -9,7 +9,9 @@
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/surface/boundary_ids.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Tribody
 {
@@ -41,6 +43,23 @@ namespace Tribody
         "How strongly the layers shrink towards the bore: the ratio of "
         "outermost to innermost layer is about cosh^2 of this number; 0 makes "
         "all of them equally thick.");
+      Parameters::add_integer(
+        prm,
+        "Sector refinements",
+        n_sector_refinements,
+        "How often the cells near the bore in the 'Refined sector' are divided "
+        "into four: the cells that contact can reach, if it stays on one side. "
+        "Its edges should not lie where the pressure is to be known best.",
+        0,
+        8);
+      Parameters::add_point(prm,
+                            "Refined sector",
+                            sector,
+                            "rad",
+                            "Where the refined sector begins and where it "
+                            "ends, counter-clockwise in the bushing's frame, "
+                            "as in '90 deg, 270 deg'.",
+                            "deg");
     }
 
 
@@ -52,6 +71,14 @@ namespace Tribody
                   ExcParameter(path + "/Grading",
                                Units::to_string(grading, "", "") +
                                  " is not in [0, 5]."));
+      const double width = sector[1] - sector[0];
+      AssertThrow(n_sector_refinements == 0 ||
+                    (width > 0. && width < 2. * M_PI),
+                  ExcParameter(path + "/Refined sector",
+                               "it must end after it begins, less than a turn "
+                               "later; it is " +
+                                 Units::to_string(width, "rad", "deg") +
+                                 " wide"));
     }
 
 
@@ -72,6 +99,59 @@ namespace Tribody
                                                      parameters.grading,
                                                      parameters.n_bore_cells,
                                                      /*colorize = */ true);
+    }
+
+
+
+    void
+    refine_sector(const RingMeshParameters    &parameters,
+                  const double                 inner_radius,
+                  const double                 wall,
+                  const std::string           &path,
+                  dealii::Triangulation<2, 2> &triangulation)
+    {
+      const double middle = 0.5 * (parameters.sector[0] + parameters.sector[1]);
+      const double half_width =
+        0.5 * (parameters.sector[1] - parameters.sector[0]);
+      const auto from_middle = [middle](const dealii::Point<2> &x) {
+        return std::abs(
+          std::remainder(std::atan2(x[1], x[0]) - middle, 2. * M_PI));
+      };
+      for (unsigned int k = 1; k <= parameters.n_sector_refinements; ++k)
+        {
+          bool any = false;
+          for (const auto &cell : triangulation.active_cell_iterators())
+            {
+              const dealii::Point<2> centre = cell->center();
+              if (from_middle(centre) < half_width &&
+                  centre.norm() - inner_radius < std::pow(0.5, k) * wall)
+                {
+                  cell->set_refine_flag();
+                  any = true;
+                }
+            }
+          AssertThrow(any,
+                      ExcParameter(path + "/Refined sector",
+                                   "is narrower than a cell: nothing would be "
+                                   "refined; more 'Bore cells' or a wider "
+                                   "sector"));
+          triangulation.execute_coarsening_and_refinement();
+        }
+    }
+
+
+
+    double
+    thinnest_wall(const dealii::Triangulation<2, 2> &triangulation,
+                  const double                       inner_radius)
+    {
+      double thinnest = std::numeric_limits<double>::max();
+      for (const auto &face : triangulation.active_face_iterators())
+        if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
+          for (const unsigned int v : face->vertex_indices())
+            thinnest =
+              std::min(thinnest, face->vertex(v).norm() - inner_radius);
+      return thinnest;
     }
 
 

@@ -2,6 +2,9 @@
 #define tribody_coupling_bushing_parameters_h
 
 #include <tribody/contact/contact_solver_parameters.h>
+#include <tribody/elasticity/mesh_file.h>
+#include <tribody/elasticity/rim_shape.h>
+#include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/output/summary.h>
 
@@ -44,14 +47,19 @@ namespace Tribody
       std::string name;
       /// Length along the axis of the joint [m].
       double axial_length = 10e-3;
-      /// Radius of the rim, by which it is held [m].
-      double outer_radius = 16e-3;
+      /// Radius of the rim, or its semi-axis along x [m].
+      double               outer_radius = 16e-3;
+      Elasticity::RimShape rim_shape;
+      /// What holds it there.
+      Elasticity::RimSupport rim_support;
       /// "plane strain" or "plane stress".
       std::string plane_state = "plane strain";
       /// Polynomial degree of the elements.
       unsigned int element_degree = 2;
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
+      /// Instead of a ring, if there is one.
+      Elasticity::MeshFile mesh_file;
       /// "automatic", "rigid" or "elastic".
       std::string pin = "automatic";
       /// Radius of the hole in the pin [m]; 0: none.
@@ -73,10 +81,19 @@ namespace Tribody
       void
       check(const Multibody::JointParameters &joint) const;
 
+      /// Whether mesh and geometry look the same from each cell around the
+      /// bore, unworn.
+      bool
+      cells_are_alike() const;
+
       /// Whether the pin of @p joint is elastic: if asked for, or if its
       /// modulus is not more than 100 times the bushing's.
       bool
       pin_is_elastic(const Multibody::JointParameters &joint) const;
+
+    private:
+      void
+      check_mesh(const Multibody::JointParameters &joint) const;
     };
   } // namespace Coupling
 } // namespace Tribody

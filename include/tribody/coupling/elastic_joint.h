@@ -99,9 +99,11 @@ namespace Tribody
       void
       update_compliance();
 
+      /// Of the unworn bushing.
+      bool                     cells_are_alike;
+      dealii::Triangulation<2> triangulation;
       /// Change of the depth after which the compliance is computed anew [m].
       double                        allowed_change;
-      dealii::Triangulation<2>      triangulation;
       Geometry::WornConfiguration   geometry;
       Elasticity::BushingElasticity elasticity;
 

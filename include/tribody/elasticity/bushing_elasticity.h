@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <tribody/elasticity/plane_state.h>
+#include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/surface_compliance.h>
 #include <tribody/surface/bore_nodes.h>
 
@@ -29,13 +30,14 @@ namespace Tribody
   namespace Elasticity
   {
     /**
-     * The linear elasticity of one bushing, clamped at its rim and loaded by
-     * nodal forces in its bore,
+     * The linear elasticity of one bushing, held at its rim by a RimSupport and
+     * loaded by nodal forces in its bore,
      * @f[ \int_\Omega \sigma(u) : \varepsilon(v)\,dx
-     *     = \sum_i f_i \cdot v(x_i) \quad \forall v, \qquad u|_{rim} = 0, @f]
-     * per length along the axis. The domain is the image of the mesh under a
-     * mapping, so that a worn bushing needs no other mesh. Displacements are
-     * small.
+     *     + \int_{rim} v \cdot (k_n\,n n^T + k_t\,t t^T)\,u\,ds
+     *     = \sum_i f_i \cdot v(x_i) \quad \forall v, @f]
+     * or with u = 0 at a clamped rim, per length along the axis. The domain is
+     * the image of the mesh under a mapping, so that a worn bushing needs no
+     * other mesh. Displacements are small.
      *
      * Use: construct once per mesh, reinit() per geometry, then
      * normal_compliance() for the contact and solve() for output. The stiffness
@@ -49,7 +51,8 @@ namespace Tribody
       BushingElasticity(const dealii::Triangulation<2, 2> &triangulation,
                         const unsigned int                 degree,
                         const Material                    &material,
-                        const PlaneState                   plane_state);
+                        const PlaneState                   plane_state,
+                        const RimSupport                  &support = {});
 
       ~BushingElasticity();
 
@@ -95,8 +98,8 @@ namespace Tribody
         return nodes;
       }
 
-      /// The stiffness [Pa], with the rows and columns of the rim replaced by
-      /// diagonal entries.
+      /// The stiffness [Pa], with the rows and columns of a clamped rim
+      /// replaced by diagonal entries.
       const dealii::TrilinosWrappers::SparseMatrix &
       system_matrix() const
       {
@@ -119,6 +122,7 @@ namespace Tribody
                     const Eigen::Index      n_columns) const;
 
       PlaneHooke                             law;
+      RimSupport                             support;
       dealii::FESystem<2>                    fe;
       dealii::DoFHandler<2, 2>               dof_handler;
       dealii::AffineConstraints<double>      constraints;

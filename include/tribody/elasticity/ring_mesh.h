@@ -1,6 +1,8 @@
 #ifndef tribody_elasticity_ring_mesh_h
 #define tribody_elasticity_ring_mesh_h
 
+#include <deal.II/base/point.h>
+
 #include <string>
 
 namespace dealii
@@ -27,6 +29,10 @@ namespace Tribody
       unsigned int n_radial_cells = 6;
       /// Grading from the bore outward [-]; 0 makes all layers equally thick.
       double grading = 1.5;
+      /// How often the cells near the bore in a sector are divided in four.
+      unsigned int n_sector_refinements = 0;
+      /// Where that sector begins and ends, counter-clockwise [rad].
+      dealii::Point<2> sector;
 
       void
       add_parameters(dealii::ParameterHandler &prm);
@@ -49,6 +55,27 @@ namespace Tribody
                    const double                 inner_radius,
                    const double                 outer_radius,
                    dealii::Triangulation<2, 2> &triangulation);
+
+    /**
+     * Divide the cells of the sector of @p parameters in four as often as these
+     * say, the k-th time those that lie up to @f$2^{-k}@f$ of @p wall [m]
+     * below the bore of @p inner_radius. The bore stays one closed curve of
+     * whole faces; nodes hang on faces inside only.
+     * @param path of the subsection, for the message.
+     * @throws ExcParameter if no cell lies in the sector.
+     */
+    void
+    refine_sector(const RingMeshParameters    &parameters,
+                  const double                 inner_radius,
+                  const double                 wall,
+                  const std::string           &path,
+                  dealii::Triangulation<2, 2> &triangulation);
+
+    /// The thinnest place between the bore of @p inner_radius and the vertices
+    /// of the rim [m].
+    double
+    thinnest_wall(const dealii::Triangulation<2, 2> &triangulation,
+                  const double                       inner_radius);
 
     /**
      * Mesh the cross section of a pin, @p hole_radius < |x| < @p radius [m],
