@@ -34,6 +34,14 @@ namespace Tribody
 
 
 
+    double
+    angle_of(const Eigen::Vector2d &vector)
+    {
+      return std::atan2(vector[1], vector[0]);
+    }
+
+
+
     Eigen::VectorXd
     shape_values(const unsigned int degree, const double s)
     {
@@ -54,7 +62,7 @@ namespace Tribody
       double begin = 0., end = 1.;
       while (end - begin > 1e-13)
         {
-          const double middle                     = 0.5 * (begin + end);
+          const double middle                   = 0.5 * (begin + end);
           (function(middle) < 0. ? begin : end) = middle;
         }
       return 0.5 * (begin + end);
@@ -97,31 +105,36 @@ namespace Tribody
 
 
 
-  TurnedSurfaces::TurnedSurfaces(const BoreSurface &bore,
-                                 const unsigned int n_pin_pieces)
+  TurnedSurfaces::TurnedSurfaces(const BoreSurface      &bore,
+                                 const Eigen::Matrix2Xd &unworn,
+                                 const unsigned int      n_pin_pieces)
     : degree(bore.degree)
     , n_bore_nodes(bore.n_nodes())
     , n_pin_pieces(n_pin_pieces)
     , quadrature(degree + 1)
-    , normal_angles(degree + 1, n_bore_nodes / degree)
+    , facing_angles(degree + 1, n_bore_nodes / degree)
     , lengths(n_bore_nodes / degree)
   {
+    // The curve's normals at its nodes are not quite the radii, not even of a
+    // round bore: what wear changes in them is.
+    const Eigen::Matrix2Xd unworn_normals =
+      make_bore_surface(unworn, degree).normals;
+    const auto facing_angle = [&](const Eigen::Index i) {
+      return angle_of(unworn.col(i)) + angle_of(bore.normals.col(i)) -
+             angle_of(unworn_normals.col(i));
+    };
+
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index piece = 0; piece < lengths.size(); ++piece)
       {
-        lengths[piece] = (bore.positions.col(node(piece, degree)) -
-                          bore.positions.col(node(piece, 0)))
-                           .norm();
-        for (unsigned int k = 0; k <= degree; ++k)
-          {
-            const auto   normal = bore.normals.col(node(piece, k));
-            const double angle  = std::atan2(normal[1], normal[0]);
-            normal_angles(k, piece) =
-              k == 0 ? angle
-                     : normal_angles(0, piece) +
-                         std::remainder(angle - normal_angles(0, piece),
-                                        two_pi);
-          }
+        lengths[piece] =
+          (unworn.col(node(piece, degree)) - unworn.col(node(piece, 0))).norm();
+        const double first      = facing_angle(node(piece, 0));
+        facing_angles(0, piece) = first;
+        for (unsigned int k = 1; k <= degree; ++k)
+          facing_angles(k, piece) =
+            first +
+            std::remainder(facing_angle(node(piece, k)) - first, two_pi);
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const Eigen::VectorXd phi =
@@ -139,8 +152,8 @@ namespace Tribody
     matrix.setFromTriplets(entries.begin(), entries.end());
     const auto made = std::make_shared<TurnedTransfer::Mass>();
     made->factor.compute(matrix);
-    const Eigen::MatrixXd inverse = made->factor.solve(
-      Eigen::MatrixXd::Identity(n_bore_nodes, n_bore_nodes));
+    const Eigen::MatrixXd inverse =
+      made->factor.solve(Eigen::MatrixXd::Identity(n_bore_nodes, n_bore_nodes));
     made->inverse = inverse.sparseView(inverse.maxCoeff(), dropped);
     mass          = made;
   }
@@ -159,7 +172,7 @@ namespace Tribody
         // the normals of a piece may turn back: parts without breaks then, for
         // which the integral is a little less accurate and as conservative.
         const auto place = [&](const double s) {
-          return (shape_values(degree, s).dot(normal_angles.col(piece)) -
+          return (shape_values(degree, s).dot(facing_angles.col(piece)) -
                   pin_angle) *
                  n_pin_pieces / two_pi;
         };
@@ -197,11 +210,10 @@ namespace Tribody
         const double weight =
           lengths[piece] * (end - begin) * quadrature.weight(q);
         const Eigen::VectorXd phi = shape_values(degree, s);
-        const double          place =
-          (phi.dot(normal_angles.col(piece)) - pin_angle) * n_pin_pieces /
-          two_pi;
-        const double          whole     = std::floor(place);
-        const Eigen::Index    pin_piece = static_cast<Eigen::Index>(
+        const double place = (phi.dot(facing_angles.col(piece)) - pin_angle) *
+                             n_pin_pieces / two_pi;
+        const double       whole     = std::floor(place);
+        const Eigen::Index pin_piece = static_cast<Eigen::Index>(
           whole - n_pin_pieces * std::floor(whole / n_pin_pieces));
         const Eigen::VectorXd N = shape_values(degree, place - whole);
         for (unsigned int j = 0; j <= degree; ++j)

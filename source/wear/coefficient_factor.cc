@@ -14,8 +14,8 @@ namespace Tribody
     FactorValue
     RunningIn::evaluate(const double, const Sliding &sliding) const
     {
-      return {1. + (initial_factor - 1.) *
-                     std::exp(-sliding.distance / distance),
+      return {1. +
+                (initial_factor - 1.) * std::exp(-sliding.distance / distance),
               0.};
     }
 

@@ -3,10 +3,12 @@
 // arrives at the pin as leaves the bore, and what is the same everywhere on the
 // pin is so on the bore (1e-12). Fields and forces do the same work on both
 // sides. A field cos 3t of the pin arrives in a round bore as cos 3(t - angle)
-// with the rate of the elements, degree + 1. For the same nodes on both sides
-// nothing changes. For a round bore the general make_turned_interpolation() is
-// the same but for its correction of forces, which the polygons of degree p
-// leave (h^(p+1)); what columns() leaves out is 1e-4.
+// with the rate of the elements, degree + 1 (0.4 less is allowed, because the
+// nodes of both meet differently on each mesh). For the same nodes on
+// both sides nothing changes. For a round bore the general
+// make_turned_interpolation() is the same but for its correction of forces,
+// which the polygons of degree p leave (h^(p+1)); what columns() leaves out is
+// 1e-4.
 
 #include <tribody/surface/turned_interpolation.h>
 #include <tribody/surface/turned_surfaces.h>
@@ -23,9 +25,7 @@ constexpr double R = 10e-3;
 /// A curve of n pieces; a crescent of the given depth towards 0.4 rad is worn
 /// out of it.
 BoreSurface
-make_curve(const unsigned int n,
-           const unsigned int degree,
-           const double       depth)
+make_curve(const unsigned int n, const unsigned int degree, const double depth)
 {
   const Eigen::VectorXd angles = TurnedSurfaces::pin_node_angles(n, degree);
   Eigen::Matrix2Xd      positions(2, n * degree);
@@ -49,7 +49,9 @@ double
 wave_error(const unsigned int n, const unsigned int degree)
 {
   const double         angle = 0.7;
-  const TurnedSurfaces surfaces(make_curve(n, degree, 0.), n + 7);
+  const TurnedSurfaces surfaces(make_curve(n, degree, 0.),
+                                make_curve(n, degree, 0.).positions,
+                                n + 7);
   return (surfaces.turned_by(angle).to_bore(wave(n + 7, degree, 0.)) -
           wave(n, degree, angle))
     .lpNorm<Eigen::Infinity>();
@@ -64,7 +66,9 @@ main()
       {
         const unsigned int    n = 90, n_pin = 64;
         const BoreSurface     bore = make_curve(n, degree, depth);
-        const TurnedSurfaces  surfaces(bore, n_pin);
+        const TurnedSurfaces  surfaces(bore,
+                                      make_curve(n, degree, 0.).positions,
+                                      n_pin);
         const Eigen::VectorXd force =
           wave(n, degree, 0.2).cwiseMax(0.).cwiseProduct(bore.weights);
         const Eigen::VectorXd field = wave(n_pin, degree, 0.1);
@@ -85,36 +89,36 @@ main()
           }
         std::cout << "degree " << degree << ", worn by " << 1e3 * depth
                   << " mm: nothing lost " << (lost < 1e-12)
-                  << ", constant kept " << (constant < 1e-12)
-                  << ", same work " << (work < 1e-12) << std::endl;
+                  << ", constant kept " << (constant < 1e-12) << ", same work "
+                  << (work < 1e-12) << std::endl;
       }
 
   for (unsigned int degree = 1; degree <= 3; ++degree)
-    std::cout << "degree " << degree << ": error of the wave falls at rate "
-              << std::log2(wave_error(120, degree) / wave_error(240, degree))
+    std::cout << "degree " << degree << ": error of the wave falls fast enough "
+              << (std::log2(wave_error(120, degree) / wave_error(240, degree)) >
+                  degree + 0.6)
               << std::endl;
 
   for (unsigned int degree = 1; degree <= 3; ++degree)
     {
       const unsigned int    n    = 60;
       const BoreSurface     bore = make_curve(n, degree, 0.);
-      const TurnedSurfaces  surfaces(bore, n);
+      const TurnedSurfaces  surfaces(bore, bore.positions, n);
       const Eigen::VectorXd field = wave(n, degree, 0.);
-      const double          same =
-        (surfaces.turned_by(0.).to_pin(field) - field).norm();
+      const double same = (surfaces.turned_by(0.).to_pin(field) - field).norm();
 
       std::vector<Eigen::Index> all(n * degree);
       std::iota(all.begin(), all.end(), 0);
       const TurnedTransfer  transfer = surfaces.turned_by(1.);
       const Eigen::MatrixXd columns  = transfer.columns(all);
-      const Eigen::MatrixXd P = make_turned_interpolation(bore, bore, 1.);
+      const Eigen::MatrixXd P       = make_turned_interpolation(bore, bore, 1.);
       double                dropped = 0.;
       for (const Eigen::Index i : {0, 1, 17})
-        dropped = std::max(
-          dropped,
-          (transfer.to_pin(Eigen::VectorXd::Unit(n * degree, i)) -
-           columns.col(i))
-            .lpNorm<Eigen::Infinity>());
+        dropped =
+          std::max(dropped,
+                   (transfer.to_pin(Eigen::VectorXd::Unit(n * degree, i)) -
+                    columns.col(i))
+                     .lpNorm<Eigen::Infinity>());
       std::cout << "degree " << degree << ": same nodes, nothing changes "
                 << (same < 1e-10) << ", columns right to 1e-3 "
                 << (dropped < 1e-3) << ", as the general one to 1e-2 "

@@ -58,9 +58,10 @@ namespace Tribody
    * piecewise polynomials with Gauss-Lobatto nodes. The pin has pieces of equal
    * angle, node 0 at the angle 0 of its own frame.
    *
-   * Bore and pin touch where their normals agree. So a point of the bore with
-   * the normal's angle @f$\psi@f$ faces the pin at the angle
-   * @f$\psi - \alpha@f$ of the pin's frame, and with the shape functions
+   * Bore and pin touch where their normals agree. So a point of the bore faces
+   * the pin at the angle @f$\psi - \alpha@f$ of the pin's frame, with
+   * @f$\psi@f$ its own angle plus that by which wear has turned the bore's
+   * normal there; and with the shape functions
    * @f$\varphi_j@f$ of the bore and @f$N_k@f$ of the pin
    * @f[ P = B M^{-1}, \qquad B_{kj} = \int N_k \varphi_j\,ds, \qquad
    *     M_{ij} = \int \varphi_i \varphi_j\,ds: @f]
@@ -75,9 +76,12 @@ namespace Tribody
   class TurnedSurfaces
   {
   public:
-    /// @param bore in the bushing's frame. @param n_pin_pieces around the pin,
-    ///   of the bore's degree.
-    TurnedSurfaces(const BoreSurface &bore, const unsigned int n_pin_pieces);
+    /// @param bore the worn bore in the bushing's frame. @param unworn the
+    ///   positions of its nodes as manufactured [m]. @param n_pin_pieces
+    ///   around the pin, of the bore's degree.
+    TurnedSurfaces(const BoreSurface      &bore,
+                   const Eigen::Matrix2Xd &unworn,
+                   const unsigned int      n_pin_pieces);
 
     /// For a pin whose frame is turned counter-clockwise by @p pin_angle
     /// [rad] against the bushing's.
@@ -108,9 +112,9 @@ namespace Tribody
     Eigen::Index      n_bore_nodes;
     Eigen::Index      n_pin_pieces;
     dealii::QGauss<1> quadrature;
-    /// Angles of the normals at the nodes of each piece of the bore [rad], one
-    /// column per piece, without jumps in it.
-    Eigen::MatrixXd normal_angles;
+    /// Psi at the nodes of each piece of the bore [rad], one column per piece,
+    /// without jumps in it.
+    Eigen::MatrixXd facing_angles;
     /// Lengths of the pieces [m].
     Eigen::VectorXd                             lengths;
     std::shared_ptr<const TurnedTransfer::Mass> mass;

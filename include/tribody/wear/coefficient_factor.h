@@ -76,7 +76,7 @@ namespace Tribody
 
     /// What a wear coefficient may be multiplied by. A new wear law is one more
     /// of these: a struct with evaluate() as above, and a line in
-    /// BushingParameters::wear_law().
+    /// BushingParameters::make_wear_law().
     using CoefficientFactor = std::variant<RunningIn, FactorExpression>;
 
     /// At @p pressure [Pa], positive.
