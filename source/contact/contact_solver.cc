@@ -169,7 +169,8 @@ namespace Tribody
     void
     ContactSolver::evaluate_gap(Iterate &iterate, const Rows rows) const
     {
-      iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
+      iterate.pin =
+        PinGap(surface.positions, iterate.pin_centre, pin_radius, pin_recess);
       // Near is where the pin overlaps the undeformed bore, and a little more.
       const double      limit = (rows == Rows::all)
                                   ? std::numeric_limits<double>::max()
@@ -353,7 +354,8 @@ namespace Tribody
     ContactSolver::solve_programme(const Eigen::Vector2d *force,
                                    Iterate               &iterate) const
     {
-      iterate.pin = PinGap(surface.positions, iterate.pin_centre, pin_radius);
+      iterate.pin =
+        PinGap(surface.positions, iterate.pin_centre, pin_radius, pin_recess);
       const ContactProgramme programme{
         compliance,
         iterate.pin.gap,

@@ -24,10 +24,20 @@ namespace Tribody
                              const ContactSolution &solution,
                              const double           factor)
     {
+      const ActiveSet &active = solution.active_set;
+      if (!active.empty())
+        sum(active, active) -= factor * compute(solution);
+    }
+
+
+
+    Eigen::MatrixXd
+    ForceSensitivity::compute(const ContactSolution &solution)
+    {
       const ActiveSet   &active = solution.active_set;
       const Eigen::Index n      = active.size();
       if (n == 0)
-        return;
+        return {};
       if (active != active_set)
         {
           active_set = active;
@@ -52,7 +62,7 @@ namespace Tribody
       const Eigen::Matrix2d  balance =
         n == 1 ? invert_pin_stiffness(stiffness, n)
                 : Eigen::Matrix2d((stiffness + geometric).inverse());
-      sum(active, active) += factor * (y * balance * y.transpose() - inverse);
+      return inverse - y * balance * y.transpose();
     }
   } // namespace Contact
 } // namespace Tribody

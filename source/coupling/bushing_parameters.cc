@@ -67,37 +67,73 @@ namespace Tribody
                                "Wear coefficient",
                                wear_coefficient,
                                "Pa^-1",
-                               "Archard's k: worn volume per normal force and "
-                               "sliding distance, not negative.",
+                               "Archard's k of the bushing: worn volume per "
+                               "normal force and sliding distance, not "
+                               "negative.",
                                "mm^3/(N m)");
+      Parameters::add_quantity(prm,
+                               "Pin wear coefficient",
+                               pin_wear_coefficient,
+                               "Pa^-1",
+                               "Archard's k of the pin, not negative; 0: the "
+                               "pin does not wear. The pin wears in its own "
+                               "frame, which turns in the bushing.",
+                               "mm^3/(N m)");
+      Parameters::add_text(
+        prm,
+        "Wear coefficient factor",
+        wear_coefficient_factor,
+        "What the wear coefficient of the bushing is multiplied by: a number "
+        "or an expression of the contact pressure p in Pa, the sliding speed v "
+        "in m/s and the distance s in m that the joint has slid before, for "
+        "example '(p/1e6)^0.5'. Not negative, and smooth in p.");
+      Parameters::add_text(prm,
+                           "Pin wear coefficient factor",
+                           pin_wear_coefficient_factor,
+                           "The same for the wear coefficient of the pin.");
+      Parameters::add_quantity(
+        prm,
+        "Running-in factor",
+        running_in_factor,
+        "",
+        "f_0: how many times as fast fresh surfaces wear. The wear "
+        "coefficients of bushing and pin are multiplied by 1 + (f_0 - 1) "
+        "exp(-s/s_0) with the distance s that the joint has slid before. Not "
+        "negative; 1: no running-in.");
+      Parameters::add_quantity(prm,
+                               "Running-in distance",
+                               running_in_distance,
+                               "m",
+                               "s_0: sliding distance over which running-in "
+                               "fades; 0: no running-in.");
       Parameters::add_quantity(prm,
                                "Stop at maximum depth",
                                limits.max_depth,
                                "m",
-                               "The run ends when the wear is this deep "
-                               "somewhere; 0: never.",
+                               "The run ends when the wear of bushing or pin "
+                               "is this deep somewhere; 0: never.",
                                "mm");
       Parameters::add_quantity(prm,
                                "Stop at clearance",
                                limits.clearance,
                                "m",
                                "The run ends when the clearance between pin "
-                               "and worn bore has this value somewhere; 0: "
-                               "never.",
+                               "and bore has this value somewhere, both worn "
+                               "and where both are deepest; 0: never.",
                                "mm");
       Parameters::add_quantity(prm,
                                "Stop at worn volume",
                                limits.volume,
                                "m^3",
-                               "The run ends when this volume is worn away; "
-                               "0: never.",
+                               "The run ends when this volume is worn away "
+                               "from bushing and pin together; 0: never.",
                                "mm^3");
       Parameters::add_quantity(prm,
                                "Stop at worn mass",
                                limits.mass,
                                "kg",
-                               "The run ends when this mass is worn away; 0: "
-                               "never.",
+                               "The run ends when this mass is worn away from "
+                               "bushing and pin together; 0: never.",
                                "g");
       Parameters::add_text(prm,
                            "Comparison source",
@@ -145,11 +181,32 @@ namespace Tribody
                        " is not between 0 and the pin radius of the "
                        "joint, " +
                        Units::to_string(joint.pin_radius, "m", "mm")));
-      AssertThrow(
-        wear_coefficient >= 0.,
-        ExcParameter(path + "Wear coefficient",
-                     Units::to_string(wear_coefficient, "Pa^-1", "mm^3/(N m)") +
-                       " must not be negative"));
+      for (const auto &[k, name_of_k] :
+           {std::make_pair(wear_coefficient, "Wear coefficient"),
+            std::make_pair(pin_wear_coefficient, "Pin wear coefficient")})
+        AssertThrow(k >= 0.,
+                    ExcParameter(path + name_of_k,
+                                 Units::to_string(k, "Pa^-1", "mm^3/(N m)") +
+                                   " must not be negative"));
+      AssertThrow(running_in_factor >= 0.,
+                  ExcParameter(path + "Running-in factor",
+                               Units::to_string(running_in_factor, "", "") +
+                                 " must not be negative; 1 means no "
+                                 "running-in"));
+      AssertThrow(running_in_distance >= 0.,
+                  ExcParameter(path + "Running-in distance",
+                               Units::to_string(running_in_distance, "m", "m") +
+                                 " must not be negative; 0 means no "
+                                 "running-in"));
+      AssertThrow(running_in_factor == 1. || running_in_distance > 0.,
+                  ExcParameter(path + "Running-in distance",
+                               "must be given and positive: 'Running-in "
+                               "factor' is " +
+                                 Units::to_string(running_in_factor, "", "") +
+                                 " and not 1"));
+      // They name the parameter if it cannot be understood.
+      wear_law();
+      pin_wear_law();
       for (const auto &[limit, name_of_limit] :
            {std::make_pair(limits.max_depth, "Stop at maximum depth"),
             std::make_pair(limits.clearance, "Stop at clearance"),
@@ -190,11 +247,48 @@ namespace Tribody
 
 
 
+    Wear::WearLaw
+    BushingParameters::wear_law() const
+    {
+      return make_wear_law(wear_coefficient,
+                           wear_coefficient_factor,
+                           "Wear coefficient factor");
+    }
+
+
+
     bool
     BushingParameters::cells_are_alike() const
     {
       return !mesh_file.is_given() && rim_shape.is_concentric_circle() &&
              mesh.n_sector_refinements == 0;
+    }
+
+
+
+    Wear::WearLaw
+    BushingParameters::pin_wear_law() const
+    {
+      return make_wear_law(pin_wear_coefficient,
+                           pin_wear_coefficient_factor,
+                           "Pin wear coefficient factor");
+    }
+
+
+
+    Wear::WearLaw
+    BushingParameters::make_wear_law(const double       coefficient,
+                                     const std::string &factor,
+                                     const std::string &parameter) const
+    {
+      Wear::WearLaw law{{coefficient}, {}};
+      if (factor != "1")
+        law.factors.emplace_back(
+          Wear::FactorExpression("Bushing " + name + "/" + parameter, factor));
+      if (running_in_factor != 1. && running_in_distance > 0.)
+        law.factors.emplace_back(
+          Wear::RunningIn{running_in_factor, running_in_distance});
+      return law;
     }
 
 

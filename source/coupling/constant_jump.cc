@@ -50,7 +50,7 @@ namespace Tribody
       const auto depths_after = [&](const double n_cycles) {
         std::vector<Eigen::VectorXd> depths;
         for (const WearingBushing &bushing : bushings)
-          depths.push_back(bushing.profile().depth +
+          depths.push_back(bushing.depth() +
                            n_cycles * used_contacts[depths.size()].wear_rate);
         return depths;
       };
@@ -81,10 +81,10 @@ namespace Tribody
       std::size_t                        b      = 0;
       for (WearingBushing &bushing : bushings)
         {
-          bushing.set_depth(depths[b]);
-          state.totals[b].removed_volume +=
-            last_step * used_contacts[b].removed_area.sum() *
-            bushing.bushing_parameters().axial_length;
+          wear(bushing,
+               state.totals[b],
+               depths[b],
+               last_step * used_contacts[b].removed_area);
           ++b;
         }
       state.cycles += last_step;
@@ -104,11 +104,11 @@ namespace Tribody
         return;
 
       state.max_stable_step = std::numeric_limits<double>::max();
+      std::size_t b         = 0;
       for (const WearingBushing &bushing : bushings)
-        state.max_stable_step = std::min(
-          state.max_stable_step,
-          bushing.max_stable_step(
-            state.duty_cycle.joint(bushing.name()).sliding_distance()));
+        state.max_stable_step =
+          std::min(state.max_stable_step,
+                   bushing.max_stable_step(state.contacts[b++]));
       stable_step_builds = n_builds;
     }
 
@@ -130,11 +130,16 @@ namespace Tribody
                               Wear::euler_error(used.wear_rate,
                                                 contacts_after[b].wear_rate,
                                                 last_step),
-                            0.5 * last_step *
-                              (contacts_before[b].removed_area.sum() +
-                               contacts_after[b].removed_area.sum() -
-                               2. * used.removed_area.sum()) *
-                              bushing.bushing_parameters().axial_length});
+                            {}});
+          const Eigen::VectorXd area_error =
+            0.5 * last_step *
+            (contacts_before[b].removed_area + contacts_after[b].removed_area -
+             2. * used.removed_area);
+          std::size_t i = 0;
+          for (const WearingSurface &surface : bushing.surfaces())
+            errors.back().volumes[i++] =
+              surface.part_of(area_error).sum() *
+              bushing.bushing_parameters().axial_length;
           ++b;
         }
       return errors;

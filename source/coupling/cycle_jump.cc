@@ -9,5 +9,21 @@ namespace Tribody
       : bushings(bushings)
       , stop_conditions(stop_conditions)
     {}
+
+
+
+    void
+    CycleJump::wear(WearingBushing        &bushing,
+                    BushingTotals         &totals,
+                    const Eigen::VectorXd &depth,
+                    const Eigen::VectorXd &removed_area)
+    {
+      bushing.set_depth(depth);
+      std::size_t i = 0;
+      for (const WearingSurface &surface : bushing.surfaces())
+        totals.surfaces[i++].removed_volume +=
+          surface.part_of(removed_area).sum() *
+          bushing.bushing_parameters().axial_length;
+    }
   } // namespace Coupling
 } // namespace Tribody

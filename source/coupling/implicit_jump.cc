@@ -30,8 +30,7 @@ namespace Tribody
       , integrator(make_equation(), tolerance)
     {
       for (const WearingBushing &bushing : bushings)
-        first_entry.push_back(first_entry.back() +
-                              bushing.profile().depth.size());
+        first_entry.push_back(first_entry.back() + bushing.depth().size());
     }
 
 
@@ -39,7 +38,9 @@ namespace Tribody
     Wear::WearEquation
     ImplicitJump::make_equation()
     {
-      return {[this](const Eigen::VectorXd &y) { return compute_rate(y); },
+      return {[this](const double cycles, const Eigen::VectorXd &y) {
+                return compute_rate(cycles, y);
+              },
               [this]() { return compute_jacobian(); },
               [this](const Eigen::VectorXd &y) {
                 return stop_conditions.evaluate(depths_after(y));
@@ -53,12 +54,13 @@ namespace Tribody
     ImplicitJump::advance(RunState &state, const double end)
     {
       // What is known already of the state at which the step begins.
-      duty_cycle = &state.duty_cycle;
-      last_y     = Eigen::VectorXd::Zero(first_entry.back());
-      contacts   = state.contacts;
+      run         = &state;
+      last_cycles = state.cycles;
+      last_y      = Eigen::VectorXd::Zero(first_entry.back());
+      contacts    = state.contacts;
       compute_weights();
 
-      integrator.start(state.cycles, last_y, weights, max_step);
+      integrator.start(state.cycles, last_y, weights, metric, max_step);
       const bool stopped = integrator.step(end);
 
       const Eigen::VectorXd              y      = integrator.state();
@@ -66,9 +68,7 @@ namespace Tribody
       std::size_t                        b      = 0;
       for (WearingBushing &bushing : bushings)
         {
-          bushing.set_depth(depths[b]);
-          state.totals[b].removed_volume +=
-            part(y, b).sum() * bushing.bushing_parameters().axial_length;
+          wear(bushing, state.totals[b], depths[b], part(y, b));
           ++b;
         }
       last_step    = integrator.cycles() - state.cycles;
@@ -86,54 +86,69 @@ namespace Tribody
     ImplicitJump::compute_weights()
     {
       weights.resize(first_entry.back());
-      area_derivatives.clear();
+      metric.resize(first_entry.back());
       largest_depths.clear();
-      worn_arcs.clear();
+      std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         {
-          const std::size_t      b       = worn_arcs.size();
-          const CycleContact    &contact = contacts[b];
-          const Eigen::VectorXd &depth   = bushing.profile().depth;
-          const Eigen::VectorXd  D =
-            bushing.profile().area_derivative(contact.surface);
-          // Depths that do not matter for the clearance do not tighten the
-          // tolerance.
-          const double floor     = smallest_depth(bushing);
-          const double max_rate  = contact.wear_rate.maxCoeff();
-          const double max_depth = std::max(floor, depth.maxCoeff());
-          double       area      = D.dot(depth);
-          double       arc       = D.sum();
-          if (max_rate > 0.)
+          const CycleContact   &contact = contacts[b];
+          const Eigen::VectorXd depth   = bushing.depth();
+          for (const WearingSurface &surface : bushing.surfaces())
             {
-              area += floor / max_rate * contact.removed_area.sum();
-              arc = area / (depth.maxCoeff() + floor);
+              const Eigen::VectorXd h = surface.part_of(depth);
+              const Eigen::VectorXd D =
+                surface.part_of(contact.area_derivative);
+              // Depths that do not matter for the clearance do not tighten the
+              // tolerance.
+              const double floor = smallest_depth(bushing);
+              const double max_rate =
+                surface.part_of(contact.wear_rate).maxCoeff();
+              const double max_depth = std::max(floor, h.maxCoeff());
+              double       area      = D.dot(h);
+              double       arc       = D.sum();
+              if (max_rate > 0.)
+                {
+                  area += floor / max_rate *
+                          surface.part_of(contact.removed_area).sum();
+                  arc = area / (h.maxCoeff() + floor);
+                }
+              largest_depths.push_back(max_depth);
+              const Eigen::Index first = first_entry[b] + surface.first_node;
+              weights.segment(first, D.size()) =
+                (D * arc).cwiseSqrt().cwiseInverse() / max_depth;
+              // Nothing is solved for where nothing wears.
+              const double k = surface.law.archard.wear_coefficient;
+              metric.segment(first, D.size()) =
+                D.cwiseInverse() / (k > 0. ? k : 1.);
             }
-          area_derivatives.push_back(D);
-          largest_depths.push_back(max_depth);
-          worn_arcs.push_back(arc);
-          weights.segment(first_entry[b], D.size()) =
-            (D * arc).cwiseSqrt().cwiseInverse() / max_depth;
+          ++b;
         }
     }
 
 
 
     Eigen::VectorXd
-    ImplicitJump::compute_rate(const Eigen::VectorXd &y)
+    ImplicitJump::compute_rate(const double cycles, const Eigen::VectorXd &y)
     {
-      if (y != last_y)
+      if (y != last_y || (cycles != last_cycles && !rate_is_constant()))
         {
           const std::vector<Eigen::VectorXd> depths = depths_after(y);
           std::size_t                        b      = 0;
           for (const WearingBushing &bushing : bushings)
             {
+              const Multibody::JointDutyCycle &cycle =
+                run->duty_cycle.joint(bushing.name());
               contacts[b] =
                 bushing.compute_cycle_contact(depths[b],
-                                              duty_cycle->joint(bushing.name()),
-                                              &contacts[b]);
+                                              cycle,
+                                              &contacts[b],
+                                              run->totals[b].sliding_distance +
+                                                (cycles - run->cycles) *
+                                                  cycle.sliding_distance());
               ++b;
             }
-          last_y = y;
+          last_y      = y;
+          last_cycles = cycles;
           ++n_evaluations;
         }
 
@@ -146,6 +161,18 @@ namespace Tribody
 
 
 
+    bool
+    ImplicitJump::rate_is_constant() const
+    {
+      for (const WearingBushing &bushing : bushings)
+        for (const WearingSurface &surface : bushing.surfaces())
+          if (!surface.law.is_constant())
+            return false;
+      return true;
+    }
+
+
+
     Eigen::MatrixXd
     ImplicitJump::compute_jacobian() const
     {
@@ -154,8 +181,7 @@ namespace Tribody
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         {
-          const Eigen::VectorXd D =
-            bushing.profile().area_derivative(contacts[b].surface);
+          const Eigen::VectorXd &D = contacts[b].area_derivative;
           jacobian.block(first_entry[b], first_entry[b], D.size(), D.size()) =
             D.asDiagonal() * bushing.compute_wear_rate_jacobian(contacts[b]) *
             D.cwiseInverse().asDiagonal();
@@ -187,21 +213,32 @@ namespace Tribody
                                     : 0.;
 
       std::vector<StepError> errors;
-      std::size_t            b = 0;
+      std::size_t            b = 0, n_surfaces = 0;
       for (const WearingBushing &bushing : bushings)
         {
-          const auto measure = [&](const Eigen::VectorXd &y) {
-            return part(y, b).cwiseProduct(part(weights, b)).norm() *
-                   largest_depths[b];
-          };
-          const auto area = [&](const Eigen::VectorXd &y) {
-            return std::abs(part(y, b).sum());
-          };
-          errors.push_back(
-            {Eigen::VectorXd::Constant(part(local, b).size(),
-                                       measure(local) + measure(lag)),
-             (area(local) + area(lag)) *
-               bushing.bushing_parameters().axial_length});
+          StepError   error{Eigen::VectorXd(bushing.depth().size()), {}};
+          std::size_t i = 0;
+          for (const WearingSurface &surface : bushing.surfaces())
+            {
+              const auto of_surface = [&](const Eigen::VectorXd &y) {
+                return y.segment(first_entry[b] + surface.first_node,
+                                 surface.n_nodes);
+              };
+              double       depth_error   = 0.;
+              const double largest_depth = largest_depths[n_surfaces++];
+              for (const Eigen::VectorXd &e : {local, lag})
+                {
+                  depth_error +=
+                    of_surface(e).cwiseProduct(of_surface(weights)).norm() *
+                    largest_depth;
+                  error.volumes[i] += std::abs(of_surface(e).sum()) *
+                                      bushing.bushing_parameters().axial_length;
+                }
+              error.depth.segment(surface.first_node, surface.n_nodes)
+                .setConstant(depth_error);
+              ++i;
+            }
+          errors.push_back(error);
           ++b;
         }
       return errors;
@@ -214,8 +251,7 @@ namespace Tribody
     {
       std::vector<Eigen::VectorXd> depths;
       for (const WearingBushing &bushing : bushings)
-        depths.push_back(
-          bushing.profile().depth_after_removing(part(y, depths.size())));
+        depths.push_back(bushing.depth_after_removing(part(y, depths.size())));
       return depths;
     }
 

@@ -161,7 +161,9 @@ namespace Tribody
                                    "peak_force [N]",
                                    "mean_normal_force [N]",
                                    "max_pressure [Pa]",
-                                   "clearance [m]"})
+                                   "clearance [m]",
+                                   "pin_max_wear_depth [m]",
+                                   "pin_worn_volume [m^3]"})
           columns.push_back(bushing.name + " " + column);
       history = std::make_unique<TableWriter>(
         directory.file("history.csv"),
@@ -170,7 +172,8 @@ namespace Tribody
            "on the worn mesh. Forces: largest total and mean normal force of "
            "the cycle.",
            "Pressure: largest of the cycle. Clearance: largest, bore radius "
-           "minus pin radius plus depth."}),
+           "minus pin radius plus depths. Pin: what wear has taken from its "
+           "radius and from its volume."}),
         columns);
     }
 
@@ -192,15 +195,17 @@ namespace Tribody
         {
           const Multibody::JointDutyCycle &cycle =
             state.duty_cycle.joint(bushing.name());
-          const double unworn = bushing.joint_parameters().bushing_radius -
-                                bushing.joint_parameters().pin_radius;
           row.insert(row.end(),
                      {bushing.profile().max_depth(),
                       bushing.worn_volume(),
                       cycle.peak_force(),
                       cycle.mean_normal_force(),
                       state.contacts[b].max_pressure,
-                      unworn + bushing.profile().max_depth()});
+                      bushing.largest_clearance(bushing.depth()),
+                      bushing.wearing_pin() != nullptr
+                        ? bushing.wearing_pin()->profile().max_depth()
+                        : 0.,
+                      bushing.pin_worn_volume()});
           ++b;
         }
       history->write_row(row);
@@ -256,10 +261,34 @@ namespace Tribody
                          bushing.profile().depth[i],
                          contact.peak_pressure[i]});
 
+      if (bushing.wearing_pin() != nullptr)
+        write_pin(state, bushing);
+
       bushing.write_vtu(directory.joint_file(
                           bushing.name(),
                           Output::numbered_name("bushing", n_outputs, "vtu")),
                         contact);
+    }
+
+
+
+    void
+    RunRecorder::write_pin(const RunState       &state,
+                           const WearingBushing &bushing) const
+    {
+      const WearingPin &pin = *bushing.wearing_pin();
+      TableWriter       table(
+        directory.joint_file(
+          bushing.name(),
+          Output::numbered_name("pin_profile", n_outputs, "csv")),
+        {"Pin of '" + bushing.name() + "' after " +
+                 std::to_string(std::lround(state.cycles)) + " cycles.",
+               "Angle: of the node in the pin's frame, counter-clockwise. Depth: "
+                     "what wear has taken from the pin's radius."},
+        {"angle [deg]", "pin_wear_depth [m]"});
+      for (Eigen::Index i = 0; i < pin.node_angles().size(); ++i)
+        table.write_row(
+          {Units::degrees(pin.node_angles()[i]), pin.profile().depth[i]});
     }
 
 

@@ -23,9 +23,9 @@ namespace Tribody
 
 
 
-      // The closed form knows one direction of the force and no elasticity:
-      // contact within 45 deg of its mean direction, and wear deeper than the
-      // clearance.
+      // The closed form knows one direction of the force, one constant wear
+      // coefficient and no elasticity: contact within 45 deg of its mean
+      // direction, and wear deeper than the clearance.
       bool
       crescent_applies(const Multibody::JointDutyCycle &cycle,
                        const Wear::WearProfile         &profile,
@@ -41,6 +41,17 @@ namespace Tribody
               direction(cycle, j).dot(mean) < std::sqrt(0.5) * mean.norm())
             return false;
         return true;
+      }
+
+
+
+      // What the surface has lost against what the law has removed.
+      double
+      volume_balance(const double worn_volume, const SurfaceTotals &totals)
+      {
+        return totals.removed_volume > 0.
+                 ? std::abs(worn_volume / totals.removed_volume - 1.)
+                 : 0.;
       }
 
 
@@ -64,13 +75,14 @@ namespace Tribody
         summary.max_pressure       = contact.max_pressure;
         summary.contact_half_angle = contact.at_peak_force().half_angle;
         summary.mesh_oscillation   = Wear::mesh_oscillation(contact.wear_rate);
-        if (totals.removed_volume > 0.)
-          summary.volume_balance_relative_error =
-            std::abs(summary.worn_volume / totals.removed_volume - 1.);
+        summary.volume_balance_relative_error =
+          volume_balance(summary.worn_volume, totals.surfaces[0]);
         summary.comparison = parameters.comparison;
 
         const double unworn = joint.bushing_radius - joint.pin_radius;
-        if (crescent_applies(cycle, profile, unworn))
+        if (bushing.wearing_pin() == nullptr &&
+            bushing.surfaces().front().law.is_constant() &&
+            crescent_applies(cycle, profile, unworn))
           {
             const Wear::Crescent crescent{joint.bushing_radius,
                                           unworn,
@@ -89,15 +101,62 @@ namespace Tribody
 
 
 
-      // Of the deepest node.
+      // Of the deepest node, relative to @p depth.
       double
-      relative_error(const Eigen::VectorXd   &depth_error,
-                     const Wear::WearProfile &profile)
+      relative_error(const WearingSurface &surface,
+                     const BushingTotals  &totals,
+                     const double          depth)
       {
-        return profile.max_depth() > 0.
-                 ? std::abs(depth_error[profile.deepest_node()]) /
-                     profile.max_depth()
-                 : 0.;
+        const Eigen::VectorXd error = surface.part_of(totals.depth_error);
+        return depth > 0. ? error[surface.profile.deepest_node()] / depth : 0.;
+      }
+
+
+
+      Output::PinSummary
+      summarise_pin(const WearingBushing &bushing, const BushingTotals &totals)
+      {
+        Output::PinSummary summary;
+        if (bushing.wearing_pin() == nullptr)
+          return summary;
+        const WearingSurface surface = bushing.surfaces().back();
+        summary.wears                = true;
+        summary.max_wear_depth       = surface.profile.max_depth();
+        summary.max_wear_angle =
+          bushing.wearing_pin()->node_angles()[surface.profile.deepest_node()];
+        summary.worn_volume = bushing.pin_worn_volume();
+        summary.worn_mass   = summary.worn_volume * surface.density;
+        summary.volume_balance_relative_error =
+          volume_balance(summary.worn_volume, totals.surfaces[1]);
+        summary.max_wear_depth_relative_error =
+          relative_error(surface, totals, summary.max_wear_depth);
+        if (summary.worn_volume > 0.)
+          summary.worn_volume_relative_error =
+            totals.surfaces[1].volume_error / summary.worn_volume;
+        return summary;
+      }
+
+
+
+      // Of either surface, relative to the deepest and to what both have lost.
+      void
+      add_errors(const WearingBushing       &bushing,
+                 const Output::JointSummary &joint,
+                 const BushingTotals        &totals,
+                 Output::RunSummary         &summary)
+      {
+        const double depth = bushing.depth().maxCoeff();
+        for (const WearingSurface &surface : bushing.surfaces())
+          summary.max_wear_depth_relative_error =
+            std::max(summary.max_wear_depth_relative_error,
+                     relative_error(surface, totals, depth));
+        const double volume = joint.bushing.worn_volume + joint.pin.worn_volume;
+        if (volume > 0.)
+          summary.worn_volume_relative_error =
+            std::max(summary.worn_volume_relative_error,
+                     (totals.surfaces[0].volume_error +
+                      totals.surfaces[1].volume_error) /
+                       volume);
       }
 
 
@@ -189,6 +248,13 @@ namespace Tribody
             << " MPa, half-angle at the largest force "
             << Units::degrees(bushing.contact_half_angle) << " deg"
             << std::endl;
+        if (joint.pin.wears)
+          out << "    pin: maximum depth " << std::setprecision(4)
+              << joint.pin.max_wear_depth * 1e3 << " mm at "
+              << Units::degrees(joint.pin.max_wear_angle)
+              << " deg of its own frame, volume " << joint.pin.worn_volume * 1e9
+              << " mm^3, mass " << joint.pin.worn_mass * 1e3 << " g"
+              << std::endl;
         if (bushing.crescent_max_wear_depth > 0.)
           out << "    crescent closed form (stiff bushing, constant force "
               << bushing.crescent_normal_force
@@ -212,7 +278,8 @@ namespace Tribody
               << difference(bushing.worn_mass, bushing.comparison.worn_mass)
               << "), " << bushing.comparison.source << std::endl;
         out << std::setprecision(2) << "    checks: volume balance "
-            << bushing.volume_balance_relative_error
+            << std::max(bushing.volume_balance_relative_error,
+                        joint.pin.volume_balance_relative_error)
             << ", mesh-size oscillation of the wear rate "
             << bushing.mesh_oscillation
             << ", losses of contact in the recorded cycles "
@@ -431,17 +498,10 @@ namespace Tribody
                                                     state.contacts[b],
                                                     state.totals[b]);
                   joint.bushing.max_stable_wear_step = state.max_stable_step;
-                  joint.clearance += joint.bushing.max_wear_depth;
+                  joint.pin       = summarise_pin(bushing, state.totals[b]);
+                  joint.clearance = bushing.largest_clearance(bushing.depth());
                   summary.compliance_builds += bushing.n_compliance_builds();
-                  summary.max_wear_depth_relative_error =
-                    std::max(summary.max_wear_depth_relative_error,
-                             relative_error(state.totals[b].depth_error,
-                                            bushing.profile()));
-                  if (joint.bushing.worn_volume > 0.)
-                    summary.worn_volume_relative_error =
-                      std::max(summary.worn_volume_relative_error,
-                               state.totals[b].volume_error /
-                                 joint.bushing.worn_volume);
+                  add_errors(bushing, joint, state.totals[b], summary);
                 }
               ++b;
             }

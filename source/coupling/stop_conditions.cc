@@ -43,20 +43,23 @@ namespace Tribody
     StopConditions::value_of(const Condition       &condition,
                              const Eigen::VectorXd &depth)
     {
-      const WearingBushing             &bushing = *condition.bushing;
-      const Multibody::JointParameters &joint   = bushing.joint_parameters();
+      const WearingBushing &bushing = *condition.bushing;
       switch (condition.quantity)
         {
           case Quantity::max_depth:
             return depth.maxCoeff();
           case Quantity::clearance:
-            return joint.bushing_radius - joint.pin_radius + depth.maxCoeff();
-          case Quantity::volume:
-            return bushing.volume_for_depth(depth);
-          default: // Quantity::mass
-            return bushing.volume_for_depth(depth) *
-                   joint.bushing_material.density;
+            return bushing.largest_clearance(depth);
+          default:
+            break;
         }
+      double                    sum     = 0.;
+      const std::vector<double> volumes = bushing.volumes_for_depth(depth);
+      std::size_t               i       = 0;
+      for (const WearingSurface &surface : bushing.surfaces())
+        sum += volumes[i++] *
+               (condition.quantity == Quantity::mass ? surface.density : 1.);
+      return sum;
     }
 
 

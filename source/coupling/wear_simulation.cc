@@ -92,7 +92,7 @@ namespace Tribody
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         state.totals[b++].depth_error =
-          Eigen::VectorXd::Zero(bushing.profile().depth.size());
+          Eigen::VectorXd::Zero(bushing.depth().size());
       state.contact_losses.resize(mechanism.parameters().joints.size());
     }
 
@@ -123,7 +123,9 @@ namespace Tribody
                  bushing.joint_parameters().pin_material.youngs_modulus /
                    bushing.joint_parameters().bushing_material.youngs_modulus,
                  3)
-            << " times the bushing's)" << std::endl;
+            << " times the bushing's)"
+            << (bushing.wearing_pin() != nullptr ? ", which wears" : "")
+            << std::endl;
     }
 
 
@@ -304,7 +306,9 @@ namespace Tribody
       for (std::size_t b = 0; b < state.totals.size(); ++b)
         {
           state.totals[b].depth_error += errors[b].depth.cwiseAbs();
-          state.totals[b].volume_error += std::abs(errors[b].volume);
+          for (std::size_t i = 0; i < errors[b].volumes.size(); ++i)
+            state.totals[b].surfaces[i].volume_error +=
+              std::abs(errors[b].volumes[i]);
         }
     }
 
@@ -355,10 +359,11 @@ namespace Tribody
             state.duty_cycle.joint(bushing.name());
           const bool         is_first = state.contacts.size() <= b;
           const CycleContact contact =
-            bushing.compute_cycle_contact(bushing.profile().depth,
+            bushing.compute_cycle_contact(bushing.depth(),
                                           cycle,
                                           is_first ? nullptr
-                                                   : &state.contacts[b]);
+                                                   : &state.contacts[b],
+                                          state.totals[b].sliding_distance);
           if (is_first)
             state.contacts.push_back(contact);
           else

@@ -3,7 +3,6 @@
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/multibody/duty_cycle.h>
-#include <tribody/wear/archard_law.h>
 #include <tribody/wear/constant_extrapolation.h>
 
 #include <algorithm>
@@ -24,6 +23,22 @@ namespace Tribody
                                        nodes.radial_directions(),
                                        nodes.degree);
       }
+
+
+
+      // Samples with the same nodes in contact one after the other.
+      std::vector<std::size_t>
+      order_by_active_set(const std::vector<Contact::ContactSolution> &samples)
+      {
+        std::vector<std::size_t> order(samples.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::stable_sort(order.begin(),
+                         order.end(),
+                         [&](const std::size_t a, const std::size_t b) {
+                           return samples[a].active_set < samples[b].active_set;
+                         });
+        return order;
+      }
     } // namespace
 
 
@@ -33,9 +48,15 @@ namespace Tribody
                                    const double compliance_update)
       : parameters(parameters)
       , joint(joint)
+      , law(parameters.wear_law())
       , elastic(parameters, joint, compliance_update)
       , wear_profile(make_profile(elastic.bore_nodes()))
-    {}
+    {
+      if (parameters.pin_wear_coefficient > 0.)
+        pin = std::make_unique<WearingPin>(elastic.bore(),
+                                           joint.pin_radius,
+                                           parameters.pin_wear_law());
+    }
 
 
 
@@ -43,18 +64,31 @@ namespace Tribody
     WearingBushing::compute_cycle_contact(
       const Eigen::VectorXd           &depth,
       const Multibody::JointDutyCycle &cycle,
-      const CycleContact              *similar) const
+      const CycleContact              *similar,
+      const double                     sliding_distance) const
     {
       Wear::WearProfile worn = wear_profile;
-      worn.depth             = depth;
+      worn.depth             = surfaces().front().part_of(depth);
 
       CycleContact contact;
-      contact.surface            = worn.surface();
-      contact.sliding_increments = cycle.sliding_increment;
-      contact.removed_area       = Eigen::VectorXd::Zero(depth.size());
-      contact.peak_pressure      = Eigen::VectorXd::Zero(depth.size());
+      contact.surface         = worn.surface();
+      contact.area_derivative = Eigen::VectorXd(depth.size());
+      contact.area_derivative.head(worn.depth.size()) =
+        worn.area_derivative(contact.surface);
+      contact.removed_area  = Eigen::VectorXd::Zero(depth.size());
+      contact.peak_pressure = Eigen::VectorXd::Zero(worn.depth.size());
+      Eigen::VectorXd pin_depth;
+      if (pin)
+        {
+          contact.facings =
+            pin->face(cycle, similar == nullptr ? nullptr : &similar->facings);
+          pin_depth                  = surfaces().back().part_of(depth);
+          Wear::WearProfile worn_pin = pin->profile();
+          worn_pin.depth             = pin_depth;
+          contact.area_derivative.tail(pin_depth.size()) =
+            worn_pin.area_derivative(worn_pin.surface());
+        }
 
-      const Wear::ArchardLaw archard{parameters.wear_coefficient};
       Contact::ContactSolver solver(contact.surface,
                                     elastic.compliance(),
                                     joint.pin_radius,
@@ -69,6 +103,8 @@ namespace Tribody
             start = &similar->samples[j];
           else if (j > 0)
             start = &contact.samples.back();
+          if (pin)
+            solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
           contact.samples.push_back(
             solver.solve_force_controlled(force_per_length(cycle, j), start));
 
@@ -76,10 +112,11 @@ namespace Tribody
           AssertThrow(solution.report.converged,
                       ExcRun(unsolved_contact(cycle, j, solution.report)));
 
-          for (Eigen::Index i = 0; i < depth.size(); ++i)
-            contact.removed_area[i] +=
-              archard.area_increment(solution.nodal_force[i],
-                                     cycle.sliding_increment[j]);
+          contact.slidings.push_back(
+            {cycle.sliding_increment[j],
+             cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
+             sliding_distance});
+          add_wear(contact, j);
           contact.peak_pressure =
             contact.peak_pressure.cwiseMax(solution.pressure);
           contact.max_pressure =
@@ -90,8 +127,24 @@ namespace Tribody
         }
 
       contact.wear_rate =
-        worn.depth_for_removed_area(contact.surface, contact.removed_area);
+        contact.removed_area.cwiseQuotient(contact.area_derivative);
       return contact;
+    }
+
+
+
+    void
+    WearingBushing::add_wear(CycleContact &contact, const Eigen::Index j) const
+    {
+      const Eigen::VectorXd &forces  = contact.samples[j].nodal_force;
+      const Eigen::VectorXd &weights = contact.surface.weights;
+      const Wear::Sliding   &sliding = contact.slidings[j];
+      contact.removed_area.head(forces.size()) +=
+        law.area_increments(forces, weights, sliding);
+      if (pin)
+        contact.removed_area.tail(pin->profile().depth.size()) +=
+          contact.facings[j].to_pin(
+            pin->law().area_increments(forces, weights, sliding));
     }
 
 
@@ -126,28 +179,98 @@ namespace Tribody
     WearingBushing::compute_wear_rate_jacobian(
       const CycleContact &contact) const
     {
-      const Eigen::Index        n        = contact.surface.n_nodes();
-      Eigen::MatrixXd           jacobian = Eigen::MatrixXd::Zero(n, n);
+      const Eigen::Index        n          = contact.removed_area.size();
+      Eigen::MatrixXd           derivative = Eigen::MatrixXd::Zero(n, n);
       Contact::ForceSensitivity sensitivity(contact.surface.positions,
                                             elastic.compliance(),
                                             joint.pin_radius);
-      // Samples with the same nodes in contact one after the other.
-      std::vector<std::size_t> order(contact.samples.size());
-      std::iota(order.begin(), order.end(), 0U);
-      std::stable_sort(order.begin(),
-                       order.end(),
-                       [&](const std::size_t a, const std::size_t b) {
-                         return contact.samples[a].active_set <
-                                contact.samples[b].active_set;
-                       });
-      for (const std::size_t j : order)
-        sensitivity.add_to(jacobian,
-                           contact.samples[j],
-                           parameters.wear_coefficient *
-                             contact.sliding_increments[j]);
-      const Eigen::VectorXd area_derivative =
-        wear_profile.area_derivative(contact.surface);
-      return area_derivative.cwiseInverse().asDiagonal() * jacobian;
+      for (const std::size_t j : order_by_active_set(contact.samples))
+        if (!contact.samples[j].active_set.empty())
+          subtract_wear_derivative(derivative,
+                                   contact,
+                                   j,
+                                   sensitivity.compute(contact.samples[j]));
+      return contact.area_derivative.cwiseInverse().asDiagonal() * derivative;
+    }
+
+
+
+    void
+    WearingBushing::subtract_wear_derivative(Eigen::MatrixXd       &derivative,
+                                             const CycleContact    &contact,
+                                             const Eigen::Index     j,
+                                             const Eigen::MatrixXd &S) const
+    {
+      const Contact::ContactSolution &sample = contact.samples[j];
+      const auto                     &active = sample.active_set;
+      const Eigen::Index              n      = sample.nodal_force.size();
+
+      const auto by_force = [&](const Wear::WearLaw &wear_law) {
+        return Eigen::VectorXd(
+          wear_law.area_derivatives(sample.nodal_force,
+                                    contact.surface.weights,
+                                    contact.slidings[j])(active));
+      };
+      const Eigen::VectorXd k_bushing = by_force(law);
+      derivative(active, active) -= k_bushing.asDiagonal() * S;
+      if (!pin)
+        return;
+
+      const Eigen::VectorXd             k_pin = by_force(pin->law());
+      const Eigen::SparseMatrix<double> P = contact.facings[j].columns(active);
+      const Eigen::SparseMatrix<double> P_k     = P * k_pin.asDiagonal();
+      const Eigen::MatrixXd             P_S     = P * S;
+      const Eigen::MatrixXd             P_k_S   = P_k * S;
+      const Eigen::Index                n_pin   = P.rows();
+      const Eigen::MatrixXd             P_k_S_P = P_k_S * P.transpose();
+      derivative(active, Eigen::seqN(n, n_pin)) -=
+        k_bushing.asDiagonal() * P_S.transpose();
+      derivative(Eigen::seqN(n, n_pin), active) -= P_k_S;
+      derivative.bottomRightCorner(n_pin, n_pin) -= P_k_S_P;
+    }
+
+
+
+    std::vector<WearingSurface>
+    WearingBushing::surfaces() const
+    {
+      const Eigen::Index          n = wear_profile.depth.size();
+      std::vector<WearingSurface> result{
+        {"bushing", 0, n, wear_profile, law, joint.bushing_material.density}};
+      if (pin)
+        result.push_back({"pin",
+                          n,
+                          pin->profile().depth.size(),
+                          pin->profile(),
+                          pin->law(),
+                          joint.pin_material.density});
+      return result;
+    }
+
+
+
+    Eigen::VectorXd
+    WearingBushing::depth() const
+    {
+      if (!pin)
+        return wear_profile.depth;
+      Eigen::VectorXd both(wear_profile.depth.size() +
+                           pin->profile().depth.size());
+      both << wear_profile.depth, pin->profile().depth;
+      return both;
+    }
+
+
+
+    Eigen::VectorXd
+    WearingBushing::depth_after_removing(
+      const Eigen::VectorXd &removed_area) const
+    {
+      Eigen::VectorXd result(removed_area.size());
+      for (const WearingSurface &surface : surfaces())
+        result.segment(surface.first_node, surface.n_nodes) =
+          surface.profile.depth_after_removing(surface.part_of(removed_area));
+      return result;
     }
 
 
@@ -156,9 +279,11 @@ namespace Tribody
     WearingBushing::set_depth(const Eigen::VectorXd &depth)
     {
       Wear::WearProfile worn = wear_profile;
-      worn.depth             = depth;
+      worn.depth             = surfaces().front().part_of(depth);
       elastic.update(worn);
       wear_profile = worn;
+      if (pin)
+        pin->set_depth(surfaces().back().part_of(depth), elastic.bore());
     }
 
 
@@ -173,14 +298,37 @@ namespace Tribody
 
 
 
-    double
-    WearingBushing::volume_for_depth(const Eigen::VectorXd &depth) const
+    ClearanceProfile
+    WearingBushing::pin_wear_profile() const
     {
-      Wear::WearProfile profile = wear_profile;
-      profile.depth             = depth;
-      const double area         = profile.surface().enclosed_area;
-      profile.depth             = Eigen::VectorXd::Zero(depth.size());
-      return (area - profile.surface().enclosed_area) * parameters.axial_length;
+      return pin ? ClearanceProfile(pin->node_angles(), pin->profile().depth)
+                 : ClearanceProfile(0.);
+    }
+
+
+
+    double
+    WearingBushing::largest_clearance(const Eigen::VectorXd &depth) const
+    {
+      double clearance = joint.bushing_radius - joint.pin_radius;
+      for (const WearingSurface &surface : surfaces())
+        clearance += surface.part_of(depth).maxCoeff();
+      return clearance;
+    }
+
+
+
+    std::vector<double>
+    WearingBushing::volumes_for_depth(const Eigen::VectorXd &depth) const
+    {
+      std::vector<double> volumes;
+      for (const WearingSurface &surface : surfaces())
+        {
+          Wear::WearProfile profile = surface.profile;
+          profile.depth             = surface.part_of(depth);
+          volumes.push_back(profile.lost_area() * parameters.axial_length);
+        }
+      return volumes;
     }
 
 
@@ -194,11 +342,36 @@ namespace Tribody
 
 
     double
-    WearingBushing::max_stable_step(const double sliding_per_cycle) const
+    WearingBushing::pin_worn_volume() const
     {
+      return pin ? pin->profile().lost_area() * parameters.axial_length : 0.;
+    }
+
+
+
+    double
+    WearingBushing::max_stable_step(const CycleContact &contact) const
+    {
+      // The largest derivative of what a node loses with respect to its force,
+      // summed over the samples: k times the sliding distance for Archard.
+      double wear_per_pressure = 0.;
+      for (const WearingSurface &surface : surfaces())
+        {
+          Eigen::VectorXd sum =
+            Eigen::VectorXd::Zero(contact.surface.n_nodes());
+          double constant = 0.;
+          for (std::size_t j = 0; j < contact.samples.size(); ++j)
+            if (surface.law.is_constant())
+              constant += surface.law.archard.area_increment(
+                1., contact.slidings[j].increment);
+            else
+              sum +=
+                surface.law.area_derivatives(contact.samples[j].nodal_force,
+                                             contact.surface.weights,
+                                             contact.slidings[j]);
+          wear_per_pressure += constant + sum.maxCoeff();
+        }
       // Nothing wears, nothing can become unstable.
-      const double wear_per_pressure =
-        parameters.wear_coefficient * sliding_per_cycle;
       if (!(wear_per_pressure > 0.))
         return std::numeric_limits<double>::max();
       return Wear::max_stable_step(elastic.compliance(),

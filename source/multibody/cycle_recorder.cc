@@ -255,6 +255,7 @@ namespace Tribody
           entry.bushing_radius *
           (std::abs(alpha(2 * s + 1) - alpha(2 * s)) +
            std::abs(alpha(2 * s + 2) - alpha(2 * s + 1)));
+      result.sliding_speed = result.sliding_increment * (n_samples / period);
     }
 
 
@@ -346,6 +347,7 @@ namespace Tribody
                                       &joint.contact_angle_bushing,
                                       &joint.contact_angle_pin,
                                       &joint.sliding_increment,
+                                      &joint.sliding_speed,
                                       &joint.eccentricity,
                                       &joint.penetration})
         *values = zero;

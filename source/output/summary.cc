@@ -46,16 +46,33 @@ namespace Tribody
 
 
       Json
+      pin_to_json(const PinSummary &pin)
+      {
+        Json json = {{"max_wear_depth_m", pin.max_wear_depth},
+                     {"max_wear_angle_deg", Units::degrees(pin.max_wear_angle)},
+                     {"worn_volume_m3", pin.worn_volume},
+                     {"worn_mass_kg", pin.worn_mass}};
+        if (pin.wears)
+          {
+            json["volume_balance_relative_error"] =
+              pin.volume_balance_relative_error;
+            json["error_estimate"] = {
+              {"max_wear_depth_relative", pin.max_wear_depth_relative_error},
+              {"worn_volume_relative", pin.worn_volume_relative_error}};
+          }
+        return json;
+      }
+
+
+
+      Json
       joint_to_json(const JointSummary &joint, const bool has_energy)
       {
         Json json = Json::object();
         if (joint.has_bushing)
           {
-            json["bushing"] = bushing_to_json(joint.bushing);
-            // Rigid, and not worn in this version.
-            json["pin"]             = {{"max_wear_depth_m", 0.},
-                                       {"worn_volume_m3", 0.},
-                                       {"worn_mass_kg", 0.}};
+            json["bushing"]         = bushing_to_json(joint.bushing);
+            json["pin"]             = pin_to_json(joint.pin);
             json["max_pressure_Pa"] = joint.bushing.max_pressure;
             json["contact_half_angle_deg"] =
               Units::degrees(joint.bushing.contact_half_angle);

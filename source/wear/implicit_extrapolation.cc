@@ -61,6 +61,7 @@ namespace Tribody
       double          cycles = 0.;
       Eigen::VectorXd y;
       Eigen::VectorXd weights;
+      Eigen::VectorXd metric;
 
       /// Where the last step began, and the step that was to follow it.
       double          step_start = 0.;
@@ -121,12 +122,12 @@ namespace Tribody
 
       template <typename Memory>
       int
-      rate_callback(realtype, N_Vector y, N_Vector rate, void *data)
+      rate_callback(realtype cycles, N_Vector y, N_Vector rate, void *data)
       {
         Memory &memory = *static_cast<Memory *>(data);
         return guarded(memory.exception, [&]() {
           memory.iterate = view_of(y);
-          memory.rate    = memory.equation.rate(memory.iterate);
+          memory.rate    = memory.equation.rate(cycles, memory.iterate);
           view_of(rate)  = memory.rate;
         });
       }
@@ -227,7 +228,6 @@ namespace Tribody
       Eigen::VectorXd way_back = Eigen::VectorXd::Zero(b.size());
       if (stage_solved)
         {
-          const Eigen::VectorXd metric = weights.cwiseAbs2();
           const double before = correction.cwiseProduct(metric).dot(residual);
           const double after  = correction.cwiseProduct(metric).dot(b);
           if (after < -max_overshoot * before)
@@ -235,7 +235,7 @@ namespace Tribody
               way_back = -std::min(0.9, after / (after - before)) * correction;
               const Eigen::VectorXd rate_there = rate;
               iterate += way_back;
-              rate = equation.rate(iterate);
+              rate = equation.rate(stage_cycles, iterate);
               b += gamma * (rate - rate_there) - way_back;
             }
         }
@@ -348,18 +348,21 @@ namespace Tribody
     ImplicitExtrapolation::start(const double           cycles,
                                  const Eigen::VectorXd &y,
                                  const Eigen::VectorXd &weights,
+                                 const Eigen::VectorXd &metric,
                                  const double           max_step)
     {
       Memory &m    = *memory;
       m.cycles     = cycles;
       m.y          = y;
       m.weights    = weights;
+      m.metric     = metric;
       m.step_start = cycles;
       m.y_start    = y;
       if (m.arkode == nullptr)
         {
           m.create(cycles);
-          const double change = m.equation.rate(y).cwiseProduct(weights).norm();
+          const double change =
+            m.equation.rate(cycles, y).cwiseProduct(weights).norm();
           if (change > 0.)
             m.proposal = 1. / change;
         }

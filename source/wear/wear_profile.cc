@@ -19,7 +19,8 @@ namespace Tribody
     Eigen::VectorXd
     WearProfile::area_derivative(const BoreSurface &surface) const
     {
-      return normals.cwiseProduct(surface.vector_weights).colwise().sum();
+      return side *
+             normals.cwiseProduct(surface.vector_weights).colwise().sum();
     }
 
 
@@ -57,6 +58,15 @@ namespace Tribody
 
 
     double
+    WearProfile::lost_area() const
+    {
+      return side * (surface().enclosed_area -
+                     make_bore_surface(positions, degree).enclosed_area);
+    }
+
+
+
+    double
     WearProfile::max_depth() const
     {
       return depth.maxCoeff();
@@ -83,6 +93,22 @@ namespace Tribody
               normals,
               Eigen::VectorXd::Zero(positions.cols()),
               degree};
+    }
+
+
+
+    WearProfile
+    make_pin_profile(const double           radius,
+                     const Eigen::VectorXd &angles,
+                     const unsigned int     degree)
+    {
+      Eigen::Matrix2Xd directions(2, angles.size());
+      directions << angles.array().cos().transpose(),
+        angles.array().sin().transpose();
+      WearProfile profile =
+        make_wear_profile(radius * directions, -directions, degree);
+      profile.side = -1.;
+      return profile;
     }
 
 

@@ -99,7 +99,7 @@ namespace
           solve_contact();
           const StepError error = jump.estimate_error(state.contacts)[0];
           depth_error += error.depth.lpNorm<Eigen::Infinity>();
-          volume_error += std::abs(error.volume);
+          volume_error += std::abs(error.volumes[0]);
           oscillation =
             std::max(oscillation,
                      Wear::mesh_oscillation(state.contacts[0].wear_rate));
@@ -122,7 +122,8 @@ namespace
     double
     balance() const
     {
-      return std::abs(volume() / state.totals[0].removed_volume - 1.);
+      return std::abs(volume() / state.totals[0].surfaces[0].removed_volume -
+                      1.);
     }
 
     std::list<WearingBushing> bushings;

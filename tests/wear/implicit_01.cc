@@ -63,7 +63,7 @@ namespace
   WearEquation
   make_equation(const Problem &problem, const double limit)
   {
-    return {[&problem](const Eigen::VectorXd &y) {
+    return {[&problem](const double, const Eigen::VectorXd &y) {
               Eigen::VectorXd rate(n + 1);
               rate << -problem.matrix() * (y.head(n) - y[n] * problem.load), 1.;
               return rate;
@@ -93,12 +93,13 @@ main()
   // count.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(n + 1);
   weights.head(n).setConstant(1. / problem.depth(end).maxCoeff());
+  const Eigen::VectorXd metric = weights.cwiseAbs2();
 
   double previous_error = 1.;
   for (const double tolerance : {1e-2, 1e-3, 1e-4})
     {
       ImplicitExtrapolation integrator(make_equation(problem, 1.), tolerance);
-      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights, metric);
       unsigned int n_steps = 0;
       while (integrator.cycles() < end)
         {
@@ -123,7 +124,7 @@ main()
   {
     const double          limit = problem.depth(5000.).maxCoeff();
     ImplicitExtrapolation integrator(make_equation(problem, limit), 1e-6);
-    integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights);
+    integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights, metric);
     bool stopped = false;
     while (!stopped && integrator.cycles() < end)
       stopped = integrator.step(end);
@@ -133,13 +134,13 @@ main()
   }
 
   WearEquation broken = make_equation(problem, 1.);
-  broken.rate         = [](const Eigen::VectorXd &) -> Eigen::VectorXd {
+  broken.rate = [](const double, const Eigen::VectorXd &) -> Eigen::VectorXd {
     throw ExcRun("no rate today");
   };
   try
     {
       ImplicitExtrapolation integrator(broken, 5e-3);
-      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights, metric);
       integrator.step(end);
       std::cout << "NO EXCEPTION" << std::endl;
     }

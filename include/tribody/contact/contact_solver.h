@@ -47,6 +47,15 @@ namespace Tribody
                     const double                   pin_radius,
                     const ContactSolverParameters &parameters = {});
 
+      /// Let the worn pin lie inside its circle by @p recess [m] where it faces
+      /// the bore's nodes, see PinGap; empty: a round pin. For all that is
+      /// solved from now on.
+      void
+      set_pin_recess(const Eigen::VectorXd &recess)
+      {
+        pin_recess = recess;
+      }
+
       /**
        * The contact under a given force [N/m] of the pin on the bushing. Under
        * zero force the pin is centred and touches nothing.
@@ -132,6 +141,7 @@ namespace Tribody
       BoreSurface             surface;
       Eigen::MatrixXd         compliance;
       double                  pin_radius;
+      Eigen::VectorXd         pin_recess;
       ContactSolverParameters parameters;
       ActiveCompliance        active_compliance;
     };

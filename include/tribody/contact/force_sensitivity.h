@@ -35,6 +35,10 @@ namespace Tribody
                        const Eigen::MatrixXd  &compliance,
                        const double            pin_radius);
 
+      /// S on the nodes in contact of @p solution [N/m per m].
+      Eigen::MatrixXd
+      compute(const ContactSolution &solution);
+
       /// Add @p factor times the derivative to @p sum (one row per bore node).
       void
       add_to(Eigen::MatrixXd       &sum,

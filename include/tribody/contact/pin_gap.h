@@ -16,20 +16,28 @@ namespace Tribody
      *       \frac{I - m_i m_i^T}{|x_i - e|}, \qquad
      *     m_i = \frac{x_i - e}{|x_i - e|}. @f]
      * Exact: the linearised gap is wrong by as much as the clearance once half
-     * a millimetre has been worn away.
+     * a millimetre has been worn away. Where the pin is worn, the gap is wider
+     * by its recess: that much the pin's surface lies inside its circle where
+     * it faces node i. That the recess faces other nodes when e changes is left
+     * out, so that the derivatives are those of a round pin; the slope of the
+     * recess is their relative error.
      */
     struct PinGap
     {
       PinGap() = default;
 
+      /// @param pin_recess one value per node [m]; empty: none.
       PinGap(const Eigen::Matrix2Xd &positions,
              const Eigen::Vector2d  &pin_centre,
-             const double            pin_radius)
+             const double            pin_radius,
+             const Eigen::VectorXd  &pin_recess = {})
         : directions(positions.colwise() - pin_centre)
         , distances(directions.colwise().norm())
         , gap(distances.array() - pin_radius)
       {
         directions.array().rowwise() /= distances.transpose().array();
+        if (pin_recess.size() > 0)
+          gap += pin_recess;
       }
 
       /// m_i, one column each.

@@ -7,6 +7,7 @@
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/output/summary.h>
+#include <tribody/wear/wear_law.h>
 
 #include <string>
 
@@ -24,16 +25,16 @@ namespace Tribody
 
   namespace Coupling
   {
-    /// When the life of a bushing is over; zero: no limit.
+    /// When the life of a joint is over; zero: no limit.
     struct BushingLimits
     {
-      /// Maximum wear depth [m].
+      /// Maximum wear depth of bushing or pin [m].
       double max_depth = 0.;
-      /// Largest clearance between pin and worn bore [m].
+      /// Largest clearance between worn pin and worn bore [m].
       double clearance = 0.;
-      /// Worn volume [m^3].
+      /// Worn volume of bushing and pin together [m^3].
       double volume = 0.;
-      /// Worn mass [kg].
+      /// Worn mass of both [kg].
       double mass = 0.;
     };
 
@@ -66,8 +67,17 @@ namespace Tribody
       double pin_hole_radius = 0.;
       /// When the contact problem counts as solved.
       Contact::ContactSolverParameters contact_solver;
-      /// Archard's k [Pa^-1].
-      double        wear_coefficient = 0.;
+      /// Archard's k of the bushing and of the pin [Pa^-1].
+      double wear_coefficient     = 0.;
+      double pin_wear_coefficient = 0.;
+      /// What multiplies them: expressions of p, v and s, see
+      /// Wear::FactorExpression.
+      std::string wear_coefficient_factor     = "1";
+      std::string pin_wear_coefficient_factor = "1";
+      /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-] and s_0 [m];
+      /// 0: none.
+      double        running_in_factor   = 1.;
+      double        running_in_distance = 0.;
       BushingLimits limits;
       /// Values that the results are shown beside.
       Output::Comparison comparison;
@@ -86,6 +96,13 @@ namespace Tribody
       bool
       cells_are_alike() const;
 
+      /// The laws by which bushing and pin wear.
+      Wear::WearLaw
+      wear_law() const;
+
+      Wear::WearLaw
+      pin_wear_law() const;
+
       /// Whether the pin of @p joint is elastic: if asked for, or if its
       /// modulus is not more than 100 times the bushing's.
       bool
@@ -94,6 +111,12 @@ namespace Tribody
     private:
       void
       check_mesh(const Multibody::JointParameters &joint) const;
+
+      /// @param parameter that holds the @p factor.
+      Wear::WearLaw
+      make_wear_law(const double       coefficient,
+                    const std::string &factor,
+                    const std::string &parameter) const;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -6,6 +6,7 @@
 #include <tribody/coupling/run_state.h>
 #include <tribody/coupling/stop_conditions.h>
 
+#include <array>
 #include <list>
 #include <vector>
 
@@ -13,11 +14,12 @@ namespace Tribody
 {
   namespace Coupling
   {
-    /// Estimated error that a wear step leaves in a bushing.
+    /// Estimated error that a wear step leaves in a bushing and its pin.
     struct StepError
     {
-      Eigen::VectorXd depth;       ///< [m], one value per bore node
-      double          volume = 0.; ///< [m^3]
+      Eigen::VectorXd depth; ///< [m], one value per wearing node
+      /// Of each of the surfaces [m^3].
+      std::array<double, 2> volumes = {{0., 0.}};
     };
 
     /**
@@ -53,6 +55,14 @@ namespace Tribody
       n_rate_evaluations() const = 0;
 
     protected:
+      /// Let @p bushing be worn by @p depth, and count the cross-section
+      /// areas that its wearing nodes have lost, @p removed_area [m^2].
+      static void
+      wear(WearingBushing        &bushing,
+           BushingTotals         &totals,
+           const Eigen::VectorXd &depth,
+           const Eigen::VectorXd &removed_area);
+
       std::list<WearingBushing> &bushings;
       const StopConditions      &stop_conditions;
     };

@@ -13,17 +13,23 @@ namespace Tribody
   {
     /**
      * Implicit steps of Wear::ImplicitExtrapolation. Its state y is the
-     * cross-section area [m^2] that every bore node has lost since the step
-     * began, and the depth follows from it: so the volume that the bushings
-     * lose is what Archard's law has removed, however long the step.
+     * cross-section area [m^2] that every wearing node has lost since the step
+     * began, and the depth follows from it: so the volume that bushings and
+     * pins lose is what the wear law has removed, however long the step.
      *
      * The error of the depth counts as
      * @f[ \frac{1}{h_\text{max}} \sqrt{\frac{\int e^2\,ds}{\ell}}, \qquad
      *     \ell = \frac{\int h\,ds}{h_\text{max}}, @f]
-     * its root mean square over the worn arc, relative to the largest depth.
-     * This is also the norm in which the equation of wear is contractive (its
-     * Jacobian is symmetric in it and nowhere positive): what one step leaves,
-     * later ones do not enlarge.
+     * its root mean square over the worn arc of a surface, relative to its
+     * largest depth. For a bushing whose pin does not wear, this is also the
+     * norm in which the equation of wear is contractive (its Jacobian is
+     * symmetric in it and nowhere positive): what one step leaves, later ones
+     * do not enlarge. With both surfaces the equation is contractive in
+     * @f$ \sum_i y_i^2/(k_i D_i) @f$, each surface with its own coefficient k.
+     * That norm is the metric of Newton's line search; measured in it the
+     * surface that wears less would set the steps for both. If k depends on
+     * the pressure no such norm is known: the search is then a safeguard
+     * without a proof.
      */
     class ImplicitJump : public CycleJump
     {
@@ -50,12 +56,16 @@ namespace Tribody
       make_equation();
 
       Eigen::VectorXd
-      compute_rate(const Eigen::VectorXd &y);
+      compute_rate(const double cycles, const Eigen::VectorXd &y);
+
+      /// Whether the rate at a given y does not depend on the cycles.
+      bool
+      rate_is_constant() const;
 
       Eigen::MatrixXd
       compute_jacobian() const;
 
-      /// What an error of y counts.
+      /// What an error of y counts, and the metric of the equation.
       void
       compute_weights();
 
@@ -70,8 +80,9 @@ namespace Tribody
       /// Of each bushing in y; then the number of entries.
       std::vector<Eigen::Index>   first_entry;
       Wear::ImplicitExtrapolation integrator;
-      const Multibody::DutyCycle *duty_cycle = nullptr;
+      const RunState             *run = nullptr;
       /// The last state whose rate was computed, and its contacts.
+      double                    last_cycles = 0.;
       Eigen::VectorXd           last_y;
       std::vector<CycleContact> contacts;
       unsigned int              n_evaluations = 0;
@@ -79,11 +90,9 @@ namespace Tribody
       /// Bound of the next step [cycles] from what changes between steps.
       double          max_step = 0.;
       Eigen::VectorXd weights;
-      /// Derivative of the area with respect to the depth, and the largest
-      /// depth and the worn arc of each bushing, at the start of the step [m].
-      std::vector<Eigen::VectorXd> area_derivatives;
-      std::vector<double>          largest_depths;
-      std::vector<double>          worn_arcs;
+      Eigen::VectorXd metric;
+      /// Of each surface at the start of the step [m].
+      std::vector<double> largest_depths;
     };
   } // namespace Coupling
 } // namespace Tribody

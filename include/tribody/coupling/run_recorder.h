@@ -75,6 +75,9 @@ namespace Tribody
                     const CycleContact   &contact);
 
       void
+      write_pin(const RunState &state, const WearingBushing &bushing) const;
+
+      void
       print_progress(const RunState                  &state,
                      const std::list<WearingBushing> &bushings);
 

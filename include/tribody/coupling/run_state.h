@@ -4,7 +4,7 @@
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/multibody/duty_cycle.h>
 
-#include <deque>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,20 +12,27 @@ namespace Tribody
 {
   namespace Coupling
   {
-    /// What a run adds up for one bushing.
-    struct BushingTotals
+    /// What a run adds up for one surface of a joint.
+    struct SurfaceTotals
     {
       /// Wear coefficient times the integral of pressure over area and
-      /// distance [m^3]: what Archard's law has removed.
+      /// distance [m^3]: what the wear law has removed.
       double removed_volume = 0.;
+      /// Estimated error of the volume left by the steps [m^3].
+      double volume_error = 0.;
+    };
+
+    /// What a run adds up for one bushing and its pin.
+    struct BushingTotals
+    {
+      /// In the order of WearingBushing::surfaces().
+      std::array<SurfaceTotals, 2> surfaces;
       /// Distance that the pin has slid [m].
       double sliding_distance = 0.;
       /// Integral of the normal force over that distance [N m].
       double force_over_sliding = 0.;
-      /// Estimated error of the depth [m], per bore node, and of the volume
-      /// [m^3], left by the steps.
+      /// Estimated error of the depth left by the steps [m], per wearing node.
       Eigen::VectorXd depth_error;
-      double          volume_error = 0.;
     };
 
     /// What a run counts.

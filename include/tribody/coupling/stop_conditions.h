@@ -14,9 +14,9 @@ namespace Tribody
   namespace Coupling
   {
     /**
-     * When a run ends before its last cycle: the life of a bushing is over
-     * once its depth, its clearance, or what it has lost passes a limit
-     * (BushingLimits).
+     * When a run ends before its last cycle: the life of a joint is over
+     * once its depth, its clearance, or what bushing and pin have lost passes a
+     * limit (BushingLimits).
      */
     class StopConditions
     {
@@ -32,7 +32,7 @@ namespace Tribody
       /**
        * One value per condition: the quantity over its limit, minus one; it
        * changes its sign when the limit is passed.
-       * @param depths wear depths of each bushing at its bore nodes [m].
+       * @param depths WearingBushing::depth() of each bushing [m].
        */
       Eigen::VectorXd
       evaluate(const std::vector<Eigen::VectorXd> &depths) const;

@@ -6,12 +6,16 @@
 #include <tribody/contact/contact_solution.h>
 #include <tribody/coupling/bushing_parameters.h>
 #include <tribody/coupling/elastic_joint.h>
+#include <tribody/coupling/wearing_pin.h>
 #include <tribody/multibody/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
 #include <tribody/surface/clearance_profile.h>
+#include <tribody/wear/wear_law.h>
 #include <tribody/wear/wear_profile.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace Tribody
 {
@@ -22,20 +26,28 @@ namespace Tribody
 
   namespace Coupling
   {
-    /// What one duty cycle does to a bushing. A plain value; fields have one
-    /// entry per bore node.
+    /**
+     * What one duty cycle does to a bushing and its pin. A plain value. What
+     * belongs to a "wearing node" has one entry per bore node, followed by one
+     * per node of the pin if it wears.
+     */
     struct CycleContact
     {
-      /// The contact in every sample, and how far the pin slides in it [m].
+      /// The contact in every sample, and how the pin slides in it.
       std::vector<Contact::ContactSolution> samples;
-      Eigen::VectorXd                       sliding_increments;
+      std::vector<Wear::Sliding>            slidings;
       /// The worn bore that they belong to.
       BoreSurface surface;
-      /// Cross-section area that the cycle removes at each node [m^2].
+      /// How the pin faces it; empty if the pin does not wear.
+      PinFacings facings;
+      /// Derivative of the lost area with respect to the depth at each wearing
+      /// node [m].
+      Eigen::VectorXd area_derivative;
+      /// Cross-section area that the cycle removes at each wearing node [m^2].
       Eigen::VectorXd removed_area;
-      /// Wear depth per cycle [m].
+      /// Wear depth per cycle at each wearing node [m].
       Eigen::VectorXd wear_rate;
-      /// Largest pressure of the cycle at each node [Pa].
+      /// Largest pressure of the cycle at each bore node [Pa].
       Eigen::VectorXd peak_pressure;
       /// Index of the sample with the largest normal force.
       std::size_t peak_sample = 0;
@@ -49,13 +61,38 @@ namespace Tribody
       }
     };
 
+    /// One of the surfaces of a joint that wear, and which of the wearing nodes
+    /// are its own.
+    struct WearingSurface
+    {
+      /// "bushing" or "pin".
+      const char              *name;
+      Eigen::Index             first_node;
+      Eigen::Index             n_nodes;
+      const Wear::WearProfile &profile;
+      const Wear::WearLaw     &law;
+      /// [kg/m^3].
+      double density;
+
+      /// Its part of a @p field over the wearing nodes.
+      auto
+      part_of(const Eigen::VectorXd &field) const
+      {
+        return field.segment(first_node, n_nodes);
+      }
+    };
+
     /**
-     * The bushing of one joint, whose bore wears. Its state is the wear
-     * profile; what gives way follows from it, see ElasticJoint.
+     * The bushing of one joint, whose bore wears, and with it the pin if that
+     * has a wear coefficient. Its state is the depth of both; what gives way
+     * follows from it, see ElasticJoint.
      *
      * Two operations make up the chain: compute_cycle_contact() turns joint
      * forces and sliding into pressure and wear per cycle, set_depth() turns
      * wear into new geometry.
+     *
+     * The depth is one vector: of the bore nodes and then, if the pin wears, of
+     * the pin's nodes, which lie in its own frame.
      */
     class WearingBushing
     {
@@ -75,38 +112,71 @@ namespace Tribody
       }
 
       /**
-       * Solve the contact in every sample of @p cycle for a bore that is worn
-       * by @p depth [m], and add up Archard's law over the cycle.
-       * @param similar the result for a similar bore, to start from, or
+       * Solve the contact in every sample of @p cycle for surfaces that are
+       * worn by @p depth [m], and add up their wear laws over the cycle. What
+       * the pin loses, it loses where it faces the bore: the area
+       * @f$ P_j A_j @f$ with P of TurnedSurfaces, if its law gives @f$A_j@f$ at
+       * the bore nodes in sample j.
+       * @param similar the result for similar surfaces, to start from, or
        * nullptr.
+       * @param sliding_distance how far the joint has slid before [m].
        * @throws ExcRun if a contact problem does not converge; names joint,
        *   sample and force.
        */
       CycleContact
       compute_cycle_contact(const Eigen::VectorXd           &depth,
                             const Multibody::JointDutyCycle &cycle,
-                            const CycleContact              *similar) const;
+                            const CycleContact              *similar,
+                            const double sliding_distance = 0.) const;
 
       /**
-       * How the wear rate changes with the depth, dW/dh [per cycle]: minus the
-       * sum over the samples of @f$ k\,\Delta s\,D^{-1} S @f$, with D the
-       * derivative of the bore's area and S of Contact::ForceSensitivity. What
-       * the wear does to D, and what it does to the dynamics, is left out.
+       * How the wear rate changes with the depth, dW/dh [per cycle]. With the
+       * derivatives k of the removed areas with respect to the nodal forces
+       * (diagonal, of bushing b and pin p), D of the lost areas with respect to
+       * the depth, and S of Contact::ForceSensitivity,
+       * @f[ \frac{dW}{dh} = -D^{-1} \sum_j
+       *     \begin{pmatrix} k_b S & k_b S P^T \\
+       *                     P k_p S & P k_p S P^T \end{pmatrix}_j. @f]
+       * What the wear does to D and P, and what it does to the dynamics, is
+       * left out. Constant coefficients are @f$ k \Delta s_j @f$; then it is
+       * symmetric in the metric @f$ D/k @f$ and nowhere positive.
        */
       Eigen::MatrixXd
       compute_wear_rate_jacobian(const CycleContact &contact) const;
 
       /**
-       * Let the bore be worn by @p depth [m] in all, one value per bore node.
+       * Let the surfaces be worn by @p depth [m] in all, one value per wearing
+       * node.
        * @throws ExcRun if the worn geometry cannot be meshed.
        */
       void
       set_depth(const Eigen::VectorXd &depth);
 
+      /// One value per wearing node [m].
+      Eigen::VectorXd
+      depth() const;
+
+      /// The depth() after each wearing node has lost the cross-section area
+      /// @p removed_area [m^2], exactly.
+      Eigen::VectorXd
+      depth_after_removing(const Eigen::VectorXd &removed_area) const;
+
+      /// The bushing, and the pin if it wears. The references are to members.
+      std::vector<WearingSurface>
+      surfaces() const;
+
+      /// Of the bore.
       const Wear::WearProfile &
       profile() const
       {
         return wear_profile;
+      }
+
+      /// Of the pin, or nullptr if it does not wear.
+      const WearingPin *
+      wearing_pin() const
+      {
+        return pin.get();
       }
 
       /// Angles of the bore nodes [rad].
@@ -116,23 +186,39 @@ namespace Tribody
         return elastic.bore_nodes().angles;
       }
 
-      /// Clearance between pin and worn bore, c + h, over the angle (eq. 28).
+      /// Clearance between the unworn pin and the worn bore, c + h, over the
+      /// angle in the bushing's frame (eq. 28).
       ClearanceProfile
       clearance_profile() const;
 
-      /// What is lost when the bore is worn by @p depth [m], from the bore
-      /// curve alone [m^3].
-      double
-      volume_for_depth(const Eigen::VectorXd &depth) const;
+      /// What wear has taken from the pin's radius, over the angle in the pin's
+      /// frame: zero everywhere if the pin does not wear.
+      ClearanceProfile
+      pin_wear_profile() const;
 
-      /// What wear has removed, measured on the mesh [m^3].
+      /// The largest clearance that surfaces worn by @p depth have when they
+      /// turn: where both are deepest at the same place [m].
+      double
+      largest_clearance(const Eigen::VectorXd &depth) const;
+
+      /// What each of the surfaces() has lost when they are worn by @p depth
+      /// [m], from their curves alone [m^3].
+      std::vector<double>
+      volumes_for_depth(const Eigen::VectorXd &depth) const;
+
+      /// What wear has removed from the bushing, measured on the mesh [m^3].
       double
       worn_volume() const;
 
-      /// Cycles per explicit wear step up to which it is stable, with
-      /// @p sliding_per_cycle [m].
+      /// What wear has removed from the pin, measured on its curve [m^3].
       double
-      max_stable_step(const double sliding_per_cycle) const;
+      pin_worn_volume() const;
+
+      /// Cycles per explicit wear step up to which it is stable, when wear goes
+      /// on as in @p contact. If the pin wears, for a pin whose nodes face
+      /// those of the bore.
+      double
+      max_stable_step(const CycleContact &contact) const;
 
       /// Write fields of @p contact.at_peak_force to a VTU file.
       void
@@ -173,10 +259,24 @@ namespace Tribody
                        const Eigen::Index               j,
                        const SolverReport              &report) const;
 
-      BushingParameters          parameters;
-      Multibody::JointParameters joint;
-      ElasticJoint               elastic;
-      Wear::WearProfile          wear_profile;
+      /// Add what sample @p j of the contact removes.
+      void
+      add_wear(CycleContact &contact, const Eigen::Index j) const;
+
+      /// Subtract the derivative of what @p sample removes with respect to
+      /// the depths, with S on the nodes in contact.
+      void
+      subtract_wear_derivative(Eigen::MatrixXd       &derivative,
+                               const CycleContact    &contact,
+                               const Eigen::Index     j,
+                               const Eigen::MatrixXd &S) const;
+
+      BushingParameters           parameters;
+      Multibody::JointParameters  joint;
+      Wear::WearLaw               law;
+      ElasticJoint                elastic;
+      Wear::WearProfile           wear_profile;
+      std::unique_ptr<WearingPin> pin;
     };
   } // namespace Coupling
 } // namespace Tribody

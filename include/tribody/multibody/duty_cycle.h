@@ -47,6 +47,8 @@ namespace Tribody
       /// R_j times the angle turned between pin and bushing from half an
       /// interval before the sample to half an interval after [m], >= 0.
       Eigen::VectorXd sliding_increment;
+      /// Mean sliding speed in that interval [m/s], not negative.
+      Eigen::VectorXd sliding_speed;
       /// |e| and delta (negative: gap) [m].
       Eigen::VectorXd           eccentricity;
       Eigen::VectorXd           penetration;

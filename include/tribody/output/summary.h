@@ -38,6 +38,20 @@ namespace Tribody
       Comparison comparison;
     };
 
+    /// What a run says of one pin; SI units, angles in the pin's frame.
+    struct PinSummary
+    {
+      bool   wears                         = false;
+      double max_wear_depth                = 0.;
+      double max_wear_angle                = 0.; ///< [rad]
+      double worn_volume                   = 0.;
+      double worn_mass                     = 0.;
+      double volume_balance_relative_error = 0.;
+      /// Estimated relative errors left by the wear steps [-].
+      double max_wear_depth_relative_error = 0.;
+      double worn_volume_relative_error    = 0.;
+    };
+
     /// What a run says of one joint; forces of the last duty cycle.
     struct JointSummary
     {
@@ -74,6 +88,7 @@ namespace Tribody
       double         normal_loss   = 0.;
       double         friction_loss = 0.;
       BushingSummary bushing;
+      PinSummary     pin;
     };
 
     /// What a run says of its last cycle of dynamics as a whole.

@@ -15,7 +15,8 @@ namespace Tribody
      * division and conserves volume whatever the surface looks like.
      *
      * Pure functions; what has been worn away so far is kept in WearProfile.
-     * See @cite archard1953 and eqs. (22) to (25) of @cite mukras2010.
+     * See @cite archard1953 and eqs. (22) to (25) of @cite mukras2010. For a
+     * coefficient that is not constant see WearLaw.
      */
     struct ArchardLaw
     {

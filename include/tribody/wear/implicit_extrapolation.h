@@ -12,12 +12,14 @@ namespace Tribody
   {
     /**
      * The equation of wear over the number of cycles N,
-     * @f$ dy/dN = W(y) @f$, as its integrator sees it.
+     * @f$ dy/dN = W(N, y) @f$, as its integrator sees it.
      */
     struct WearEquation
     {
-      /// W(y).
-      std::function<Eigen::VectorXd(const Eigen::VectorXd &y)> rate;
+      /// W(N, y).
+      std::function<Eigen::VectorXd(const double           cycles,
+                                    const Eigen::VectorXd &y)>
+        rate;
       /// dW/dy at the state of the last call of rate.
       std::function<Eigen::MatrixXd()> jacobian;
       /// Functions of y whose change of sign ends the integration, and their
@@ -61,12 +63,15 @@ namespace Tribody
        * is as long as it takes the first rate to change y by what counts 1.
        *
        * @param weights w, one per entry of y.
+       * @param metric G, diagonal, in which G dW/dy is symmetric and nowhere
+       *   positive, for Newton's line search.
        * @param max_step bound of the next step [cycles]; 0: none.
        */
       void
       start(const double           cycles,
             const Eigen::VectorXd &y,
             const Eigen::VectorXd &weights,
+            const Eigen::VectorXd &metric,
             const double           max_step = 0.);
 
       /**

@@ -10,10 +10,11 @@ namespace Tribody
   namespace Wear
   {
     /**
-     * How deep a bore has worn: at every node the distance h >= 0 by which it
-     * has moved along the as-manufactured normal, which for a round bore is
-     * the radius through it. The whole memory of the wear process: worn
-     * geometry, clearance and volume follow from it.
+     * How deep the surface of a bore or of a pin has worn: at every node the
+     * distance h >= 0 by which it has moved along the as-manufactured normal
+     * into the material, which for a round surface is the radius through it.
+     * The whole memory of the wear process: worn geometry, clearance and volume
+     * follow from it.
      */
     struct WearProfile
     {
@@ -26,23 +27,27 @@ namespace Tribody
       /// Degree of the curve through the nodes.
       unsigned int degree = 1;
 
-      /// The worn bore.
+      /// Which side of the curve the material is on: 1 outside (a bore), -1
+      /// inside (a pin).
+      double side = 1.;
+
+      /// The worn surface.
       BoreSurface
       surface() const;
 
-      /// Derivative of the area inside @p surface with respect to the depth at
-      /// each node, @f$ \mathbf n_i \cdot \mathbf w_i @f$ [m].
+      /// Derivative of the area that is lost with respect to the depth at
+      /// each node, @f$ \pm \mathbf n_i \cdot \mathbf w_i @f$ [m], positive.
       Eigen::VectorXd
       area_derivative(const BoreSurface &surface) const;
 
       /**
        * What the depth grows by when node i loses the cross-section area
        * @p removed_area [m^2]: @f$ \Delta h_i = A_i / (\mathbf n_i \cdot
-       * \mathbf w_i) @f$, because that product is the derivative of the area
-       * inside the curve with respect to @f$h_i@f$. So what the law removes
-       * and what the geometry loses agree to first order in the step.
+       * \mathbf w_i) @f$, because that product is the derivative of the lost
+       * area with respect to @f$h_i@f$. So what the law removes and what the
+       * geometry loses agree to first order in the step.
        *
-       * @param surface the worn bore, surface().
+       * @param surface the worn surface().
        */
       Eigen::VectorXd
       depth_for_removed_area(const BoreSurface     &surface,
@@ -59,6 +64,10 @@ namespace Tribody
       Eigen::VectorXd
       depth_after_removing(const Eigen::VectorXd &removed_area) const;
 
+      /// Cross-section area that the curve with this depth has lost [m^2].
+      double
+      lost_area() const;
+
       double
       max_depth() const;
 
@@ -67,11 +76,18 @@ namespace Tribody
       deepest_node() const;
     };
 
-    /// An unworn profile.
+    /// An unworn bore.
     WearProfile
     make_wear_profile(const Eigen::Matrix2Xd &positions,
                       const Eigen::Matrix2Xd &normals,
                       const unsigned int      degree);
+
+    /// An unworn round pin of the given @p radius [m] with nodes at the
+    /// @p angles [rad], as make_bore_surface() wants them.
+    WearProfile
+    make_pin_profile(const double           radius,
+                     const Eigen::VectorXd &angles,
+                     const unsigned int     degree);
 
     /**
      * Amplitude of the mesh-size oscillation in a field on the bore, relative

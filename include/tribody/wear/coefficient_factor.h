@@ -1,0 +1,90 @@
+#ifndef tribody_wear_coefficient_factor_h
+#define tribody_wear_coefficient_factor_h
+
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace Tribody
+{
+  namespace Wear
+  {
+    /// How pin and bushing slide on each other in one sample of a cycle.
+    struct Sliding
+    {
+      /// Distance slid in the sample [m], not negative.
+      double increment = 0.;
+      /// Speed v [m/s], not negative.
+      double speed = 0.;
+      /// Distance s that the joint has slid before this cycle [m].
+      double distance = 0.;
+    };
+
+    /// What multiplies a wear coefficient, with its derivative.
+    struct FactorValue
+    {
+      /// [-], not negative.
+      double value = 1.;
+      /// Its derivative with respect to the pressure [Pa^-1].
+      double d_pressure = 0.;
+    };
+
+    /**
+     * Running-in: fresh surfaces wear f_0 times as fast as later ones,
+     * @f[ f = 1 + (f_0 - 1) \exp(-s/s_0). @f]
+     * Over a distance S under a constant load this adds the wear of
+     * @f$ (f_0 - 1)\,s_0\,(1 - \exp(-S/s_0)) @f$ more of sliding.
+     */
+    struct RunningIn
+    {
+      /// f_0 [-], not negative.
+      double initial_factor = 1.;
+      /// s_0 [m], positive.
+      double distance = 1.;
+
+      FactorValue
+      evaluate(const double pressure, const Sliding &sliding) const;
+    };
+
+    /**
+     * A dimensionless function f(p, v, s) of pressure [Pa], sliding speed [m/s]
+     * and the distance slid so far [m], written as an expression for deal.II's
+     * FunctionParser: "(p/1e6)^0.5", "if(v < 0.1, 1, 2)". It must be smooth in
+     * p, or the implicit wear steps do not converge; its derivative is a
+     * central difference over 2e-5 p, good to about 1e-9 of f/p.
+     */
+    class FactorExpression
+    {
+    public:
+      /// @param path the parameter that holds the @p expression, for messages.
+      /// @throws ExcParameter for what cannot be parsed.
+      FactorExpression(const std::string &path, const std::string &expression);
+
+      /// @throws ExcRun if it is negative or not a finite number.
+      FactorValue
+      evaluate(const double pressure, const Sliding &sliding) const;
+
+    private:
+      struct Parser;
+
+      double
+      value(const double pressure, const Sliding &sliding) const;
+
+      std::string                   path;
+      std::shared_ptr<const Parser> parser;
+    };
+
+    /// What a wear coefficient may be multiplied by. A new wear law is one more
+    /// of these: a struct with evaluate() as above, and a line in
+    /// BushingParameters::make_wear_law().
+    using CoefficientFactor = std::variant<RunningIn, FactorExpression>;
+
+    /// At @p pressure [Pa], positive.
+    FactorValue
+    evaluate_factor(const CoefficientFactor &factor,
+                    const double             pressure,
+                    const Sliding           &sliding);
+  } // namespace Wear
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,59 @@
+#ifndef tribody_wear_wear_law_h
+#define tribody_wear_wear_law_h
+
+#include <Eigen/Core>
+
+#include <tribody/wear/archard_law.h>
+#include <tribody/wear/coefficient_factor.h>
+
+#include <vector>
+
+namespace Tribody
+{
+  namespace Wear
+  {
+    /**
+     * What one surface loses: Archard's law with a coefficient that may depend
+     * on pressure, sliding speed and the distance slid so far,
+     * @f[ \Delta h = k \prod_m f_m(p, v, s)\; p\,|\Delta s|, @f]
+     * each @f$f_m@f$ a CoefficientFactor. Like ArchardLaw it removes areas,
+     * @f$ A_i = k \prod_m f_m(\lambda_i/w_i, v, s)\,\lambda_i |\Delta s| @f$.
+     * Without factors it is ArchardLaw and as fast.
+     */
+    struct WearLaw
+    {
+      ArchardLaw                     archard;
+      std::vector<CoefficientFactor> factors;
+
+      /// Whether the coefficient depends on nothing.
+      bool
+      is_constant() const
+      {
+        return factors.empty();
+      }
+
+      /**
+       * Cross-section area removed from each node in one sample [m^2].
+       * @param nodal_forces per axial length [N/m], not negative.
+       * @param weights w of the nodes [m].
+       */
+      Eigen::VectorXd
+      area_increments(const Eigen::VectorXd &nodal_forces,
+                      const Eigen::VectorXd &weights,
+                      const Sliding         &sliding) const;
+
+      /// Derivatives of the area_increments with respect to the force of the
+      /// same node [m^2 per N/m]; zero at nodes without a force.
+      Eigen::VectorXd
+      area_derivatives(const Eigen::VectorXd &nodal_forces,
+                       const Eigen::VectorXd &weights,
+                       const Sliding         &sliding) const;
+
+    private:
+      FactorValue
+      evaluate(const double pressure, const Sliding &sliding) const;
+    };
+  } // namespace Wear
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,57 @@
+#include <tribody/wear/wear_law.h>
+
+namespace Tribody
+{
+  namespace Wear
+  {
+    FactorValue
+    WearLaw::evaluate(const double pressure, const Sliding &sliding) const
+    {
+      FactorValue product;
+      for (const CoefficientFactor &factor : factors)
+        {
+          const FactorValue f = evaluate_factor(factor, pressure, sliding);
+          product.d_pressure =
+            product.d_pressure * f.value + product.value * f.d_pressure;
+          product.value *= f.value;
+        }
+      return product;
+    }
+
+
+
+    Eigen::VectorXd
+    WearLaw::area_increments(const Eigen::VectorXd &nodal_forces,
+                             const Eigen::VectorXd &weights,
+                             const Sliding         &sliding) const
+    {
+      Eigen::VectorXd areas =
+        (archard.wear_coefficient * sliding.increment) * nodal_forces;
+      if (!is_constant())
+        for (Eigen::Index i = 0; i < areas.size(); ++i)
+          if (areas[i] > 0.)
+            areas[i] *= evaluate(nodal_forces[i] / weights[i], sliding).value;
+      return areas;
+    }
+
+
+
+    Eigen::VectorXd
+    WearLaw::area_derivatives(const Eigen::VectorXd &nodal_forces,
+                              const Eigen::VectorXd &weights,
+                              const Sliding         &sliding) const
+    {
+      // A = k ds f(p) lambda with p = lambda/w.
+      Eigen::VectorXd derivatives = Eigen::VectorXd::Zero(nodal_forces.size());
+      for (Eigen::Index i = 0; i < derivatives.size(); ++i)
+        if (nodal_forces[i] > 0.)
+          {
+            const double      pressure = nodal_forces[i] / weights[i];
+            const FactorValue f        = evaluate(pressure, sliding);
+            derivatives[i] = archard.wear_coefficient * sliding.increment *
+                             (f.value + pressure * f.d_pressure);
+          }
+      return derivatives;
+    }
+  } // namespace Wear
+} // namespace Tribody
