@@ -9,16 +9,19 @@
 #include <tribody/multibody/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
 #include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/joint_clearance.h>
 #include <tribody/wear/wear_profile.h>
 
+#include <memory>
 #include <string>
 
 namespace Tribody
 {
   namespace Multibody
   {
+    class PinSupport;
     struct JointDutyCycle;
-  }
+  } // namespace Multibody
 
   namespace Coupling
   {
@@ -119,6 +122,17 @@ namespace Tribody
       /// Clearance between pin and worn bore, c + h, over the angle (eq. 28).
       ClearanceProfile
       clearance_profile() const;
+
+      /// The worn surfaces as the dynamics takes them.
+      JointClearance
+      clearance() const
+      {
+        return clearance_profile();
+      }
+
+      /// The elasticity of pin and worn bore as the dynamics takes it.
+      std::shared_ptr<const Multibody::PinSupport>
+      make_support() const;
 
       /// What is lost when the bore is worn by @p depth [m], from the bore
       /// curve alone [m^3].
