@@ -302,7 +302,7 @@ public:
   compute_force(const Eigen::Vector2d &e, const double) const override
   {
     constexpr int    n         = 400;
-    constexpr double stiffness = 1e7;
+    constexpr double stiffness = 1e3;
     SupportForce     result;
     for (int i = 0; i < n; ++i)
       {
@@ -399,7 +399,10 @@ check_clearance_joint(const std::string &name,
                               v(2) * perpendicular(turned(joint.s_1, q(2))) -
                               v(5) * perpendicular(turned(joint.s_2, q(5)));
   const double turning = joint.pin_radius * (v(2) - v(5)) - c * v(5);
-  v.segment<2>(3)      = p_t - 2e-3 * n - (0.4e-3 - turning) * perpendicular(n);
+  const double wrapping =
+    find_supported_contact(condition, turned(e, -q(5)), q(2) - q(5)).wrapping;
+  v.segment<2>(3) =
+    p_t - 2e-3 * n - wrapping * (0.4e-3 - turning) * perpendicular(n);
 
   const auto force = [&](const PairVector &x, const PairVector &y) {
     return joint.compute_force(x, joint.compute_contact(x, y, condition, 0.02));

@@ -11,21 +11,22 @@
 //
 // A pin that has lost h everywhere is as good as a clearance larger by h. A pin
 // with a flat, and a bore with two lobes, are compared with the largest overlap
-// of 200 000 directions. Derivatives against central differences, which leave
-// about 1e-7. Elastic forces along the gradient of delta have a potential: the
-// second derivatives are symmetric.
+// of 200 000 directions, which miss the top of a rounded corner by up to 0.2
+// nm. Derivatives against central differences, which leave about 1e-7. Elastic
+// forces along the gradient of delta have a potential: the second derivatives
+// are symmetric.
 
 #include <tribody/surface/pin_in_bore.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
+#include <iostream>
 #include <string>
 
 using namespace Tribody;
 using Eigen::Vector2d;
 
-std::ofstream output("output");
+std::ostream &output = std::cout;
 
 constexpr double R = 9.5e-3;
 
@@ -198,12 +199,15 @@ worn_pin()
       }
   report_below("pin worn uniformly", error, 1e-6);
 
-  // In a round bore, a pin whose flat begins at angles of +-0.4.
-  const double         flat = R * std::cos(0.4);
+  // In a round bore, a pin whose flat begins at angles of +-0.4, with rounded
+  // corners.
+  const double         flat = R * std::cos(0.4), corner = 20e-6;
   const JointClearance clearance{
     ClearanceProfile(40e-6), make_profile([&](const double x) {
       const double beta = std::remainder(x - 1., 2 * M_PI);
-      return std::abs(beta) < 0.4 ? R - flat / std::cos(beta) : 0.;
+      const double lost =
+        std::abs(beta) < 1. ? (R - flat / std::cos(beta)) / corner : -50.;
+      return corner * std::log1p(std::exp(std::max(-50., lost)));
     })};
   const PinInBore pin(clearance, R);
   const double    bore = R + 40e-6;
@@ -225,7 +229,7 @@ worn_pin()
       error =
         std::max(error, std::abs(pin.compute_penetration(e, alpha) - largest));
     }
-  report_below("pin with a flat [nm]", 1e9 * error, 0.1);
+  report_below("pin with a flat [nm]", 1e9 * error, 1.);
 }
 
 void
