@@ -139,6 +139,47 @@ namespace Tribody
 
 
 
+    PinStiffness
+    ContactSolver::compute_pin_stiffness(const ContactSolution &solution)
+    {
+      const ActiveSet &active = solution.active_set;
+      PinStiffness result{Eigen::Matrix2d::Zero(), Eigen::RowVector2d::Zero()};
+      if (active.empty())
+        return result;
+      Eigen::MatrixX2d directions(active.size(), 2);
+      for (std::size_t k = 0; k < active.size(); ++k)
+        {
+          const Eigen::Vector2d to_node =
+            surface.positions.col(active[k]) - solution.pin_centre;
+          const double          distance = to_node.norm();
+          const Eigen::Vector2d m        = to_node / distance;
+          directions.row(k)              = m.transpose();
+          result.force -= solution.nodal_force[active[k]] / distance *
+                          (Eigen::Matrix2d::Identity() - m * m.transpose());
+        }
+      active_compliance.update(compliance, active, /*small changes = */ true);
+      const Eigen::MatrixX2d d_forces = active_compliance.solve(directions);
+      result.force += directions.transpose() * d_forces;
+      result.nodal_force_sum = d_forces.colwise().sum();
+      return result;
+    }
+
+
+
+    double
+    ContactSolver::stored_energy(const ContactSolution &solution) const
+    {
+      // Where a force acts, the gap is closed: C lambda is minus the rigid gap.
+      double twice = 0.;
+      for (const Eigen::Index i : solution.active_set)
+        twice += solution.nodal_force[i] *
+                 (pin_radius -
+                  (surface.positions.col(i) - solution.pin_centre).norm());
+      return twice / 2.;
+    }
+
+
+
     ContactSolver::Iterate
     ContactSolver::first_iterate(const Eigen::Vector2d &force,
                                  const ContactSolution *warm_start) const

@@ -279,6 +279,42 @@ namespace Tribody
 
 
 
+      // Finite elements inside the dynamics need a bushing to ask.
+      void
+      apply_scheme(CaseParameters &parameters)
+      {
+        const auto &bushings = parameters.bushings;
+        const auto  has_bushing =
+          [&bushings](const Multibody::JointParameters &joint) {
+            return std::any_of(bushings.begin(),
+                               bushings.end(),
+                               [&joint](const BushingParameters &bushing) {
+                                 return bushing.name == joint.name;
+                               });
+          };
+        const bool is_coupled = parameters.wear.scheme == "coupled";
+        AssertThrow(!is_coupled || !bushings.empty(),
+                    ExcParameter("Wear/Scheme",
+                                 "'coupled' is about the joints that are "
+                                 "listed in 'Bushings', but there are none"));
+        for (Multibody::JointParameters &joint : parameters.mechanism.joints)
+          {
+            if (is_coupled && joint.has_clearance() && has_bushing(joint))
+              joint.contact_force_law = "finite element";
+            AssertThrow(
+              !joint.needs_support() || has_bushing(joint),
+              ExcParameter("Joint " + joint.name + "/Contact force law",
+                           "'finite element' asks the joint's "
+                           "bushing for the force, but '" +
+                             joint.name +
+                             "' is not listed in 'Bushings'. Add it "
+                             "there with a subsection 'Bushing " +
+                             joint.name + "', or choose another law"));
+          }
+      }
+
+
+
       // A bushing is that of a joint which can press on it.
       void
       check_bushing_joints(const CaseParameters &parameters)
@@ -443,6 +479,17 @@ namespace Tribody
     void
     WearParameters::add_parameters(dealii::ParameterHandler &prm)
     {
+      Parameters::add_choice(
+        prm,
+        "Scheme",
+        scheme,
+        {"staggered", "coupled"},
+        "How dynamics and contact pressure go together. staggered: joint "
+        "forces by the contact force laws of the joints, then pressures by "
+        "finite elements under these forces (Mukras et al.). coupled: the law "
+        "'finite element' in all joints with a bushing, whatever their entry "
+        "'Contact force law' says, so that forces and pressures are one "
+        "model.");
       Parameters::add_choice(prm,
                              "Extrapolation",
                              extrapolation,
@@ -541,6 +588,7 @@ namespace Tribody
       try
         {
           check_bushing_joints(parameters);
+          apply_scheme(parameters);
           check_required(file, parameters);
           resolve_materials(parameters);
           resolve_mesh_files(file, parameters);

@@ -4,6 +4,7 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/coupling/constant_jump.h>
+#include <tribody/coupling/elastic_support.h>
 #include <tribody/coupling/implicit_jump.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
@@ -69,6 +70,7 @@ namespace Tribody
                                   parameters.wear.compliance_update);
         return bushings;
       }
+
     } // namespace
 
 
@@ -85,6 +87,9 @@ namespace Tribody
       , mechanism(parameters.mechanism)
       , dynamics(mechanism, make_dynamics_parameters(parameters))
       , bushings(make_bushings(parameters))
+      , supports(parameters.cycles == 0
+                   ? make_unworn_supports(parameters)
+                   : Multibody::CycleSimulation::Supports())
       , stop_conditions(bushings)
       , jump(make_jump(parameters.wear, bushings, stop_conditions))
     {
@@ -319,10 +324,14 @@ namespace Tribody
     {
       dealii::TimerOutput::Scope scope(timer, "dynamics");
 
-      std::map<std::string, ClearanceProfile> clearances;
+      Multibody::CycleSimulation::Clearances clearances;
       for (const WearingBushing &bushing : bushings)
-        clearances.emplace(bushing.name(), bushing.clearance_profile());
-      state.duty_cycle = dynamics.run(clearances);
+        {
+          clearances.emplace(bushing.name(), bushing.clearance());
+          if (bushing.joint_parameters().needs_support())
+            supports[bushing.name()] = bushing.make_support();
+        }
+      state.duty_cycle = dynamics.run(clearances, supports);
 
       const Multibody::SettlingReport &settling = state.duty_cycle.settling;
       state.counts.dynamics_cycles += settling.n_cycles;

@@ -1,6 +1,7 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/contact/force_sensitivity.h>
+#include <tribody/coupling/elastic_support.h>
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/multibody/duty_cycle.h>
 #include <tribody/wear/constant_extrapolation.h>
@@ -294,6 +295,16 @@ namespace Tribody
       const double unworn = joint.bushing_radius - joint.pin_radius;
       return ClearanceProfile(node_angles(),
                               (wear_profile.depth.array() + unworn).matrix());
+    }
+
+
+
+    std::shared_ptr<const Multibody::PinSupport>
+    WearingBushing::make_support() const
+    {
+      return std::make_shared<const ElasticSupport>(elastic,
+                                                    parameters,
+                                                    joint.pin_radius);
     }
 
 

@@ -150,6 +150,18 @@ namespace Tribody
 
 
 
+    NormalForce
+    FiniteElementLaw::normal_force(const ContactKinematics &contact) const
+    {
+      const NormalForce f = with_hysteresis(contact.elastic_force,
+                                            1.,
+                                            hysteresis(restitution_coefficient),
+                                            contact);
+      return {f.value, 0., f.d_penetration_rate, f.d_penetration};
+    }
+
+
+
     double
     ElasticFoundationLaw::pressure(const double             angle,
                                    const ContactKinematics &contact) const
@@ -173,7 +185,8 @@ namespace Tribody
               "Hunt-Crossley",
               "Flores",
               "spring-damper",
-              "elastic foundation"};
+              "elastic foundation",
+              "finite element"};
     }
 
 
@@ -208,6 +221,8 @@ namespace Tribody
                                       modulus / joint.foundation_thickness,
                                       e_r};
         }
+      if (joint.contact_force_law == "finite element")
+        return FiniteElementLaw{e_r};
       AssertThrow(false,
                   ExcParameter("Joint " + joint.name + "/Contact force law",
                                "'" + joint.contact_force_law +

@@ -56,7 +56,17 @@ namespace Tribody
         check_full_cycle(closed_equations,
                          period,
                          2 * parameters.samples_per_cycle);
-      scales = compute_reference_scales(mechanism, closed_equations, period);
+    }
+
+
+
+    std::vector<ReferenceScale>
+    CycleSimulation::reference_scales(const Supports &supports) const
+    {
+      return compute_reference_scales(mechanism,
+                                      closed_equations,
+                                      period,
+                                      collect_supports(supports));
     }
 
 
@@ -95,31 +105,30 @@ namespace Tribody
 
 
     DutyCycle
-    CycleSimulation::run(
-      const std::map<std::string, ClearanceProfile> &clearances) const
+    CycleSimulation::run(const Clearances &clearances,
+                         const Supports   &supports) const
     {
       const EquationsOfMotion equations(mechanism,
-                                        collect_clearances(clearances));
+                                        collect_clearances(clearances),
+                                        collect_supports(supports));
       if (parameters.analysis == "static equilibrium")
         return run_statics(equations);
-      if (parameters.analysis == "dynamic")
-        return run_dynamics(equations);
       // A joint with clearance that adds to a mechanism without degrees of
-      // freedom does not get here: it is redundant.
+      // freedom is redundant, which the constructor has seen.
       const bool moves_as_given = mechanism.n_degrees_of_freedom() == 0 &&
                                   mechanism.has_only_ideal_joints();
-      return moves_as_given ? run_kinematics(equations)
-                            : run_dynamics(equations);
+      return moves_as_given && parameters.analysis != "dynamic"
+               ? run_kinematics(equations)
+               : run_dynamics(equations, reference_scales(supports));
     }
 
 
 
-    std::vector<ClearanceProfile>
-    CycleSimulation::collect_clearances(
-      const std::map<std::string, ClearanceProfile> &by_name) const
+    std::vector<JointClearance>
+    CycleSimulation::collect_clearances(const Clearances &by_name) const
     {
-      std::vector<ClearanceProfile> clearances = nominal_clearances(mechanism);
-      unsigned int                  n_used     = 0;
+      std::vector<JointClearance> clearances = nominal_clearances(mechanism);
+      unsigned int                n_used     = 0;
       for (unsigned int j = 0; j < clearances.size(); ++j)
         {
           const auto found = by_name.find(mechanism.clearance_joints()[j].name);
@@ -134,6 +143,25 @@ namespace Tribody
                                 "not exist or has none."));
       (void)n_used;
       return clearances;
+    }
+
+
+
+    EquationsOfMotion::Supports
+    CycleSimulation::collect_supports(const Supports &by_name) const
+    {
+      EquationsOfMotion::Supports supports;
+      for (const ClearanceJoint &joint : mechanism.clearance_joints())
+        {
+          const auto found = by_name.find(joint.name);
+          supports.push_back(found == by_name.end() ? nullptr : found->second);
+          AssertThrow(supports.back() != nullptr ||
+                        !needs_support(joint.contact_law),
+                      ExcParameter("Joint " + joint.name + "/Contact force law",
+                                   "'finite element' needs the elasticity of "
+                                   "the joint's bushing"));
+        }
+      return supports;
     }
 
 
@@ -388,7 +416,9 @@ namespace Tribody
 
 
     DutyCycle
-    CycleSimulation::run_dynamics(const EquationsOfMotion &equations) const
+    CycleSimulation::run_dynamics(
+      const EquationsOfMotion           &equations,
+      const std::vector<ReferenceScale> &scales) const
     {
       MotionTolerances tolerances =
         make_tolerances(mechanism, scales, parameters);

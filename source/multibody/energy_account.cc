@@ -165,20 +165,11 @@ namespace Tribody
       const PairVector q     = element.bodies.gather(state.q);
       const PairVector v     = element.bodies.gather(state.v);
       const double     total = -v.dot(element.compute_force(q, contact));
-      // Rate of the eccentricity: of the pin's centre against the bushing's.
-      const Eigen::Vector2d rate =
-        v.head<2>() + v(2) * perpendicular(turned(element.s_1, q(2))) -
-        v.segment<2>(3) - v(5) * perpendicular(turned(element.s_2, q(5)));
-      const double normal = contact.normal_force * rate.dot(contact.direction);
-      const double elastic =
-        compute_normal_force(element.contact_law,
-                             {contact.penetration,
-                              0.,
-                              state.approach_speeds[joint]})
-          .value *
-        contact.penetration_rate;
-      result.segment<3>(first_joint + 3 * joint) << elastic, normal - elastic,
-        total - normal;
+      // A stored energy that is known need not be integrated.
+      result.segment<3>(first_joint + 3 * joint)
+        << (needs_support(element.contact_law) ? 0. : contact.elastic_power),
+        contact.normal_power - contact.elastic_power,
+        total - contact.normal_power;
     }
 
 
@@ -198,8 +189,13 @@ namespace Tribody
       the_record.damper_loss    = exchanged(damper_loss);
       the_record.impact_loss    = exchanged(impact_loss);
       the_record.contact_energy = of_joints.row(0).transpose();
-      the_record.normal_loss    = of_joints.row(1).transpose();
-      the_record.friction_loss  = of_joints.row(2).transpose();
+      for (unsigned int j = 0; j < n_joints; ++j)
+        if (needs_support(
+              equations->mechanism().clearance_joints()[j].contact_law))
+          the_record.contact_energy[j] =
+            equations->compute_contact(j, state).elastic_energy;
+      the_record.normal_loss   = of_joints.row(1).transpose();
+      the_record.friction_loss = of_joints.row(2).transpose();
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -25,13 +25,20 @@ namespace Tribody
 
 
     EquationsOfMotion::EquationsOfMotion(
-      const Mechanism                     &mechanism,
-      const std::vector<ClearanceProfile> &clearances)
+      const Mechanism                   &mechanism,
+      const std::vector<JointClearance> &clearances,
+      const Supports                    &supports)
       : system(mechanism)
-      , clearances(clearances)
     {
-      Assert(clearances.size() == mechanism.clearance_joints().size(),
+      const std::vector<ClearanceJoint> &joints = mechanism.clearance_joints();
+      Assert(clearances.size() == joints.size(),
              dealii::ExcMessage("One clearance per clearance joint."));
+      Assert(supports.empty() || supports.size() == joints.size(),
+             dealii::ExcMessage("One support per clearance joint, or none."));
+      for (unsigned int j = 0; j < joints.size(); ++j)
+        conditions.push_back(
+          joints[j].make_condition(clearances[j],
+                                   supports.empty() ? nullptr : supports[j]));
     }
 
 
@@ -253,14 +260,14 @@ namespace Tribody
         }
       for (const AppliedTorque &torque : system.applied_torques())
         torque.bodies.add_to(torque.compute_force(t), forces);
-      for (unsigned int j = 0; j < clearances.size(); ++j)
+      for (unsigned int j = 0; j < conditions.size(); ++j)
         {
           const ClearanceJoint &joint   = system.clearance_joints()[j];
           const PairVector      local_q = joint.bodies.gather(q);
           const JointContact    contact =
             joint.compute_contact(local_q,
                                   joint.bodies.gather(v),
-                                  clearances[j],
+                                  conditions[j],
                                   approach_speeds[j],
                                   friction_state(joint, z));
           if (contact.penetration >= 0)
@@ -278,7 +285,7 @@ namespace Tribody
       ConstVector                z,
       Vector                     rates) const
     {
-      for (unsigned int j = 0; j < clearances.size(); ++j)
+      for (unsigned int j = 0; j < conditions.size(); ++j)
         {
           const ClearanceJoint &joint = system.clearance_joints()[j];
           const int             k     = joint.friction_state_index;
@@ -302,7 +309,7 @@ namespace Tribody
       const Eigen::Index         state,
       MatrixEntries             &entries) const
     {
-      for (unsigned int j = 0; j < clearances.size(); ++j)
+      for (unsigned int j = 0; j < conditions.size(); ++j)
         {
           const ClearanceJoint &joint = system.clearance_joints()[j];
           const int             k     = joint.friction_state_index;
@@ -311,7 +318,7 @@ namespace Tribody
           const ClearanceForce f =
             joint.compute_force_with_derivatives(joint.bodies.gather(q),
                                                  joint.bodies.gather(v),
-                                                 clearances[j],
+                                                 conditions[j],
                                                  approach_speeds[j],
                                                  z(k));
           for (const int l : {0, 1})
@@ -366,13 +373,13 @@ namespace Tribody
             q_column + i,
             -force.compute_force(t, q.segment<3>(i)).d_position);
         }
-      for (unsigned int j = 0; j < clearances.size(); ++j)
+      for (unsigned int j = 0; j < conditions.size(); ++j)
         {
           const ClearanceJoint &joint = system.clearance_joints()[j];
           subtract(joint.bodies,
                    joint.compute_force_with_derivatives(joint.bodies.gather(q),
                                                         joint.bodies.gather(v),
-                                                        clearances[j],
+                                                        conditions[j],
                                                         approach_speeds[j],
                                                         friction_state(joint,
                                                                        z)));
@@ -386,7 +393,7 @@ namespace Tribody
                                            ConstVector        q) const
     {
       const ClearanceJoint &j = system.clearance_joints()[joint];
-      return j.compute_penetration(j.bodies.gather(q), clearances[joint]);
+      return j.compute_penetration(j.bodies.gather(q), conditions[joint]);
     }
 
 
@@ -401,7 +408,7 @@ namespace Tribody
       const ClearanceJoint &j = system.clearance_joints()[joint];
       return j.compute_contact(j.bodies.gather(q),
                                j.bodies.gather(v),
-                               clearances[joint],
+                               conditions[joint],
                                approach_speed,
                                friction_state);
     }
@@ -436,12 +443,12 @@ namespace Tribody
 
 
 
-    std::vector<ClearanceProfile>
+    std::vector<JointClearance>
     nominal_clearances(const Mechanism &mechanism)
     {
-      std::vector<ClearanceProfile> clearances;
+      std::vector<JointClearance> clearances;
       for (const ClearanceJoint &joint : mechanism.clearance_joints())
-        clearances.emplace_back(joint.nominal_clearance());
+        clearances.emplace_back(ClearanceProfile(joint.nominal_clearance()));
       return clearances;
     }
   } // namespace Multibody

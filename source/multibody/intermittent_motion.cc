@@ -79,13 +79,18 @@ namespace Tribody
             if (combination[k])
               parameters.joints[mechanism.impact_joints()[k].joint].model =
                 "following";
-          std::vector<ClearanceProfile> clearances;
+          std::vector<JointClearance> clearances;
+          EquationsOfMotion::Supports supports;
           for (unsigned int j = 0; j < mechanism.clearance_joints().size(); ++j)
-            clearances.push_back(equations.clearance(j));
+            {
+              clearances.push_back(equations.condition(j).surfaces.clearance());
+              supports.push_back(equations.condition(j).support);
+            }
           result.own_mechanism = std::make_unique<const Mechanism>(parameters);
           result.own_equations =
             std::make_unique<const EquationsOfMotion>(*result.own_mechanism,
-                                                      clearances);
+                                                      clearances,
+                                                      supports);
           result.equations = result.own_equations.get();
         }
       result.integrator =

@@ -229,8 +229,13 @@ namespace Tribody
                                       make_friction_law(joint),
                                       joint.tangential_damping,
                                       joint.minimum_approach_speed});
-      if (has_state(the_clearance_joints.back().friction_law))
-        the_clearance_joints.back().friction_state_index = n_states++;
+      ClearanceJoint &made = the_clearance_joints.back();
+      if (has_state(made.friction_law))
+        made.friction_state_index = n_states++;
+      made.penetration_measure =
+        joint.worn_contact_geometry == "scalar clearance"
+          ? PenetrationMeasure::scalar
+          : PenetrationMeasure::deepest;
     }
 
 

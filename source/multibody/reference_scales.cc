@@ -35,8 +35,10 @@ namespace Tribody
       // A joint over a cycle with ideal joints.
       struct IdealJoint
       {
-        // Mean reaction [N]; zero if not known.
-        double mean_force = 0.;
+        // Mean reaction [N], and the mean of its vector in the bushing's
+        // frame; zero if not known.
+        double          mean_force    = 0.;
+        Eigen::Vector2d mean_reaction = Eigen::Vector2d::Zero();
         // Range of the angular speed of pin against bushing [rad/s]; such
         // that it contains zero if not known.
         double slowest = 0., fastest = 0.;
@@ -58,10 +60,12 @@ namespace Tribody
               continue;
             const unsigned int row =
               mechanism.constraints()[entry.index].first_row;
-            const PairVector v     = entry.bodies.gather(motion.v);
-            const double     speed = v(2) - v(5);
-            joints[j].mean_force +=
-              weight * motion.multipliers.segment<2>(row).norm();
+            const PairVector      v        = entry.bodies.gather(motion.v);
+            const double          speed    = v(2) - v(5);
+            const Eigen::Vector2d reaction = motion.multipliers.segment<2>(row);
+            joints[j].mean_force += weight * reaction.norm();
+            joints[j].mean_reaction +=
+              weight * turned(reaction, -entry.bodies.gather(motion.q)(5));
             joints[j].slowest =
               is_first ? speed : std::min(joints[j].slowest, speed);
             joints[j].fastest =
@@ -132,20 +136,52 @@ namespace Tribody
 
 
 
+      // Penetration at rest under the force of @p scale, and how the normal
+      // force changes there with penetration and rate.
+      NormalForce
+      find_reference_contact(const ClearanceJoint  &joint,
+                             const Eigen::Vector2d &mean_reaction,
+                             const PinSupport      *support,
+                             ReferenceScale        &scale)
+      {
+        if (support == nullptr)
+          {
+            scale.penetration = compute_penetration(
+              joint.contact_law, scale.force, 0., joint.minimum_approach_speed);
+            return compute_normal_force(joint.contact_law,
+                                        {scale.penetration,
+                                         0.,
+                                         joint.minimum_approach_speed});
+          }
+        const Eigen::Vector2d direction =
+          mean_reaction.norm() > 0.
+            ? Eigen::Vector2d(mean_reaction.normalized())
+            : Eigen::Vector2d::UnitX();
+        const Eigen::Vector2d e =
+          support->find_position(scale.force * direction, 0.);
+        const SupportForce f = support->compute_force(e, 0.);
+        // The displacement over which the force changes by its own size.
+        NormalForce contact = compute_normal_force(
+          joint.contact_law,
+          {1., 0., joint.minimum_approach_speed, f.force.norm()});
+        contact.d_penetration =
+          direction.dot(f.d_force.leftCols<2>() * direction);
+        scale.penetration = scale.force / contact.d_penetration;
+        return contact;
+      }
+
+
+
       // What follows from the laws of contact and friction.
       void
       add_contact_scale(const ClearanceJoint &joint,
                         const IdealJoint     &ideal,
                         const double          inverse_mass,
+                        const PinSupport     *support,
                         ReferenceScale       &scale)
       {
-        scale.penetration         = compute_penetration(joint.contact_law,
-                                                scale.force,
-                                                0.,
-                                                joint.minimum_approach_speed);
-        const NormalForce contact = compute_normal_force(
-          joint.contact_law,
-          {scale.penetration, 0., joint.minimum_approach_speed});
+        const NormalForce contact =
+          find_reference_contact(joint, ideal.mean_reaction, support, scale);
         scale.frequency = std::sqrt(contact.d_penetration * inverse_mass);
         scale.speed     = scale.penetration * scale.frequency;
         if (contact.d_penetration_rate > 0)
@@ -186,9 +222,11 @@ namespace Tribody
 
 
     std::vector<ReferenceScale>
-    compute_reference_scales(const Mechanism         &mechanism,
-                             const EquationsOfMotion &closed,
-                             const double             period)
+    compute_reference_scales(
+      const Mechanism                                      &mechanism,
+      const EquationsOfMotion                              &closed,
+      const double                                          period,
+      const std::vector<std::shared_ptr<const PinSupport>> &supports)
     {
       const auto &joints = mechanism.joints();
       if (std::all_of(joints.begin(),
@@ -216,6 +254,8 @@ namespace Tribody
             add_contact_scale(mechanism.clearance_joints()[entry.index],
                               ideal[j],
                               inverse_mass,
+                              supports.empty() ? nullptr
+                                               : supports[entry.index].get(),
                               scale);
           else
             {

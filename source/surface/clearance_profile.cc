@@ -55,7 +55,8 @@ namespace Tribody
   struct ClearanceProfile::Spline
   {
     Spline(const std::vector<double> &values, const double origin)
-      : origin(origin)
+      : n_nodes(values.size())
+      , origin(origin)
       , curve(make_curve(values))
     {}
 
@@ -89,6 +90,7 @@ namespace Tribody
       return x - two_pi * std::floor(x / two_pi);
     }
 
+    unsigned int                                                n_nodes;
     double                                                      origin;
     boost::math::interpolators::cardinal_cubic_b_spline<double> curve;
   };
@@ -110,6 +112,14 @@ namespace Tribody
     mean_clearance =
       Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).mean();
     spline = std::make_shared<const Spline>(values, angles(0));
+  }
+
+
+
+  unsigned int
+  ClearanceProfile::n_nodes() const
+  {
+    return spline ? spline->n_nodes : 0;
   }
 
 

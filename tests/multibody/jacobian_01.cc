@@ -288,49 +288,130 @@ deeply_worn_profile()
                           1e-5 + 0.2e-3 * (1 + (angles.array() - 2.6).cos()));
 }
 
-void
-check_clearance_joint(const std::string &friction, const double damping)
+// Springs all around the bore, which press where the pin overlaps a round bore,
+// along the lines to its centre.
+class SpringRing : public PinSupport
 {
-  const ClearanceProfile clearance = deeply_worn_profile();
-  ClearanceJoint         joint     = {"joint",
-                                      {0, 1},
-                                      {0.1, 0.2},
-                                      {-0.3, 0.1},
-                                      9.525e-3,
-                                      9.535e-3,
-                                      LankaraniNikraveshLaw{1.5e7, 0.7},
-                                      NoFriction{},
-                                      damping,
-                                      1e-2};
+public:
+  SpringRing(const double bore_radius, const double pin_radius)
+    : bore_radius(bore_radius)
+    , pin_radius(pin_radius)
+  {}
+
+  SupportForce
+  compute_force(const Eigen::Vector2d &e, const double) const override
+  {
+    constexpr int    n         = 400;
+    constexpr double stiffness = 1e3;
+    SupportForce     result;
+    for (int i = 0; i < n; ++i)
+      {
+        const double          angle = 2 * M_PI * i / n;
+        const Eigen::Vector2d y =
+          bore_radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)) - e;
+        const double          distance = y.norm();
+        const double          overlap  = pin_radius - distance;
+        const Eigen::Vector2d m        = y / distance;
+        if (overlap <= 0)
+          continue;
+        result.force += stiffness * overlap * m;
+        result.magnitudes += stiffness * overlap;
+        result.energy += stiffness * overlap * overlap / 2;
+        result.d_force.leftCols<2>() +=
+          stiffness * (m * m.transpose() -
+                       overlap / distance *
+                         (Eigen::Matrix2d::Identity() - m * m.transpose()));
+        result.d_magnitudes.head<2>() += stiffness * m.transpose();
+      }
+    return result;
+  }
+
+  Eigen::Vector2d
+  find_position(const Eigen::Vector2d &, const double) const override
+  {
+    return Eigen::Vector2d::Zero();
+  }
+
+private:
+  double bore_radius, pin_radius;
+};
+
+enum class Surfaces
+{
+  worn_scalar,
+  worn,
+  worn_with_pin,
+  elastic
+};
+
+JointCondition
+make_surfaces(const Surfaces surfaces, ClearanceJoint &joint)
+{
+  if (surfaces == Surfaces::worn_scalar)
+    joint.penetration_measure = PenetrationMeasure::scalar;
+  if (surfaces == Surfaces::elastic)
+    {
+      joint.contact_law = FiniteElementLaw{0.7};
+      return joint.make_condition(
+        ClearanceProfile(joint.nominal_clearance()),
+        std::make_shared<SpringRing>(joint.bushing_radius, joint.pin_radius));
+    }
+  JointClearance clearance = deeply_worn_profile();
+  if (surfaces == Surfaces::worn_with_pin)
+    clearance.pin_wear = worn_profile(180);
+  return joint.make_condition(clearance);
+}
+
+void
+check_clearance_joint(const std::string &name,
+                      const Surfaces     surfaces,
+                      const std::string &friction,
+                      const double       damping)
+{
+  ClearanceJoint joint = {"joint",
+                          {0, 1},
+                          {0.1, 0.2},
+                          {-0.3, 0.1},
+                          9.525e-3,
+                          9.535e-3,
+                          LankaraniNikraveshLaw{1.5e7, 0.7},
+                          NoFriction{},
+                          damping,
+                          1e-2};
   if (friction != "none")
     joint.friction_law = RegularisedCoulombFriction{0.15, 1e-3};
 
   // Second body such that the pin is 20 um deep in the worn bore, and the
-  // bodies' speeds such that the surfaces slide by 0.4 mm/s and the pin
+  // bodies' speeds such that the surfaces slide by about 0.4 mm/s and the pin
   // approaches.
-  PairVector q, v;
+  const JointCondition condition = make_surfaces(surfaces, joint);
+  PairVector           q, v;
   q << 0.3, -0.2, 0.7, 0., 0., -1.1;
   const Eigen::Vector2d n(std::cos(2.), std::sin(2.));
-  const double          c = clearance.clearance(2. - q(5));
-  q.segment<2>(3) = marker_position(q.head<3>(), joint.s_1) - (c + 20e-6) * n -
-                    turned(joint.s_2, q(5));
+  const Eigen::Vector2d e = turned(
+    condition.surfaces.find_position(turned(n, -q(5)), 20e-6, q(2) - q(5)),
+    q(5));
+  const double c = n.dot(e) - 20e-6;
+  q.segment<2>(3) =
+    marker_position(q.head<3>(), joint.s_1) - e - turned(joint.s_2, q(5));
   v << 0.5, 0.1, -2., 0., 0., 1.3;
   const Eigen::Vector2d p_t = v.head<2>() +
                               v(2) * perpendicular(turned(joint.s_1, q(2))) -
                               v(5) * perpendicular(turned(joint.s_2, q(5)));
   const double turning = joint.pin_radius * (v(2) - v(5)) - c * v(5);
-  v.segment<2>(3)      = p_t - 2e-3 * n - (0.4e-3 - turning) * perpendicular(n);
+  const double wrapping =
+    find_supported_contact(condition, turned(e, -q(5)), q(2) - q(5)).wrapping;
+  v.segment<2>(3) =
+    p_t - 2e-3 * n - wrapping * (0.4e-3 - turning) * perpendicular(n);
 
   const auto force = [&](const PairVector &x, const PairVector &y) {
-    return joint.compute_force(x, joint.compute_contact(x, y, clearance, 0.02));
+    return joint.compute_force(x, joint.compute_contact(x, y, condition, 0.02));
   };
-  const JointContact contact = joint.compute_contact(q, v, clearance, 0.02);
-  report_value("clearance joint: sliding speed [mm/s]",
-               1e3 * contact.sliding_speed,
-               3);
+  const JointContact contact = joint.compute_contact(q, v, condition, 0.02);
+  report_value(name + ": sliding speed [mm/s]", 1e3 * contact.sliding_speed, 3);
   report_value("  normal force [N]", contact.normal_force, 3);
   const PairForce f =
-    joint.compute_force_with_derivatives(q, v, clearance, 0.02);
+    joint.compute_force_with_derivatives(q, v, condition, 0.02);
   report_below("  force", relative_error(f.force, force(q, v)), 1e-14);
   report_below(
     "  derivative by position",
@@ -356,11 +437,15 @@ check_clearance_joint(const std::string &friction, const double damping)
   report_below("  net force over force",
                (b.head<2>() + b.segment<2>(3)).norm() / contact.normal_force,
                1e-13);
+  // Elastic surfaces have one point of contact; where the pin is worn, normal
+  // and radius differ by less than 1e-2 in direction.
+  const double left =
+    surfaces == Surfaces::elastic
+      ? moment
+      : moment + contact.tangential_force * contact.penetration;
   report_below("  net moment but that of the penetration over force [m]",
-               std::abs(moment +
-                        contact.tangential_force * contact.penetration) /
-                 contact.normal_force,
-               1e-14);
+               std::abs(left) / contact.normal_force,
+               surfaces == Surfaces::worn_with_pin ? 1e-2 * 20e-6 : 1e-14);
 }
 
 void
@@ -420,21 +505,22 @@ check_friction_state()
                                 0.,
                                 1e-2};
   joint.friction_state_index = 0;
-  const ClearanceProfile clearance(10e-6);
-  PairVector             q, v;
+  const JointCondition condition =
+    joint.make_condition(ClearanceProfile(10e-6));
+  PairVector q, v;
   q << 20e-6, -22e-6, 0.7, 0., 0., -1.1;
   v << 0.5e-3, 0.1e-3, 0.4, 0., 0., 0.3;
   const double z = 0.7e-6, step = 1e-10;
   const auto   contact =
     [&](const PairVector &x, const PairVector &y, const double state) {
-      return joint.compute_contact(x, y, clearance, 0.02, state);
+      return joint.compute_contact(x, y, condition, 0.02, state);
     };
   const auto rate = [&](const PairVector &x, const PairVector &y) {
     return Eigen::VectorXd::Constant(
       1, joint.compute_friction_state_rate(contact(x, y, z), z));
   };
   const ClearanceForce f =
-    joint.compute_force_with_derivatives(q, v, clearance, 0.02, z);
+    joint.compute_force_with_derivatives(q, v, condition, 0.02, z);
   report_below("friction state: derivative of the force",
                relative_error(f.d_state,
                               (joint.compute_force(q, contact(q, v, z + step)) -
@@ -488,9 +574,13 @@ main()
   check_rotational_spring();
   check_applied_force(false);
   check_applied_force(true);
-  check_clearance_joint("none", 0.);
-  check_clearance_joint("Coulomb regularised", 0.);
-  check_clearance_joint("Coulomb regularised", 200.);
+  const std::string coulomb = "Coulomb regularised";
+  check_clearance_joint("worn, scalar", Surfaces::worn_scalar, "none", 0.);
+  check_clearance_joint("worn, scalar", Surfaces::worn_scalar, coulomb, 200.);
+  check_clearance_joint("worn, deepest", Surfaces::worn, "none", 0.);
+  check_clearance_joint("worn, deepest", Surfaces::worn, coulomb, 200.);
+  check_clearance_joint("both worn", Surfaces::worn_with_pin, coulomb, 200.);
+  check_clearance_joint("elastic", Surfaces::elastic, coulomb, 200.);
   check_profile();
 
   const ContactForceLaw law = LankaraniNikraveshLaw{1.5e10, 0.8};

@@ -13,6 +13,15 @@ namespace Tribody
 {
   namespace Contact
   {
+    /// How the forces of a contact change with the pin's centre.
+    struct PinStiffness
+    {
+      /// Derivative of ContactSolution::force by the centre [N/m^2].
+      Eigen::Matrix2d force;
+      /// Derivative of the sum of nodal forces [N/m^2].
+      Eigen::RowVector2d nodal_force_sum;
+    };
+
     /**
      * Frictionless contact of a rigid round pin with an elastic bore, reduced
      * to the bore's nodes. With nodal forces @f$\lambda_i@f$, the bore's normal
@@ -72,6 +81,20 @@ namespace Tribody
       ContactSolution
       solve_position_controlled(const Eigen::Vector2d &pin_centre,
                                 const ContactSolution *warm_start = nullptr);
+
+      /**
+       * How the forces of @p solution, which came from this solver, change with
+       * the pin's centre as long as the same nodes are in contact,
+       * @f[ \frac{d\lambda_A}{de} = C_A^{-1} m_A^T, \qquad
+       *     \frac{dF}{de} = m_A C_A^{-1} m_A^T - \sum_i \lambda_i
+       *     \frac{I - m_i m_i^T}{|x_i - e|}. @f]
+       */
+      PinStiffness
+      compute_pin_stiffness(const ContactSolution &solution);
+
+      /// @f$ \tfrac12 \lambda^T C \lambda @f$ of @p solution [J/m].
+      double
+      stored_energy(const ContactSolution &solution) const;
 
     private:
       /// What the iterations change, and what follows from it.

@@ -23,6 +23,8 @@ namespace Tribody
     /// How wear is integrated over the cycles.
     struct WearParameters
     {
+      /// "staggered" or "coupled".
+      std::string scheme = "staggered";
       /// "implicit", "constant" (the paper's extrapolation) or "one-shot".
       std::string extrapolation = "implicit";
       /// Relative error of the depth that an implicit step may make [-].

@@ -101,10 +101,12 @@ namespace Tribody
       Multibody::Mechanism       mechanism;
       Multibody::CycleSimulation dynamics;
       std::list<WearingBushing>  bushings;
-      RunState                   state;
-      StopConditions             stop_conditions;
-      std::unique_ptr<CycleJump> jump;
-      bool                       unstable_step_reported = false;
+      // Of the joints with finite elements inside the dynamics, by name.
+      Multibody::CycleSimulation::Supports supports;
+      RunState                             state;
+      StopConditions                       stop_conditions;
+      std::unique_ptr<CycleJump>           jump;
+      bool                                 unstable_step_reported = false;
     };
   } // namespace Coupling
 } // namespace Tribody

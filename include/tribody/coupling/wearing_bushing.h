@@ -10,6 +10,7 @@
 #include <tribody/multibody/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
 #include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/joint_clearance.h>
 #include <tribody/wear/wear_law.h>
 #include <tribody/wear/wear_profile.h>
 
@@ -21,8 +22,9 @@ namespace Tribody
 {
   namespace Multibody
   {
+    class PinSupport;
     struct JointDutyCycle;
-  }
+  } // namespace Multibody
 
   namespace Coupling
   {
@@ -195,6 +197,17 @@ namespace Tribody
       /// frame: zero everywhere if the pin does not wear.
       ClearanceProfile
       pin_wear_profile() const;
+
+      /// The worn surfaces as the dynamics takes them.
+      JointClearance
+      clearance() const
+      {
+        return {clearance_profile(), pin_wear_profile()};
+      }
+
+      /// The elasticity of pin and worn bore as the dynamics takes it.
+      std::shared_ptr<const Multibody::PinSupport>
+      make_support() const;
 
       /// The largest clearance that surfaces worn by @p depth have when they
       /// turn: where both are deepest at the same place [m].

@@ -22,6 +22,9 @@ namespace Tribody
       double penetration_rate;
       /// Its rate when this contact began, positive [m/s].
       double approach_speed;
+      /// Normal force [N] with which the elastic surfaces hold the pin at rest
+      /// here; only known, and needed, for FiniteElementLaw.
+      double elastic_force = 0.;
     };
 
     /// A normal force with its partial derivatives.
@@ -33,6 +36,8 @@ namespace Tribody
       double d_penetration = 0.;
       /// dF_N/d(penetration rate) [N s/m].
       double d_penetration_rate = 0.;
+      /// dF_N/d(elastic force) [-].
+      double d_elastic_force = 0.;
     };
 
     /// Hertz' law without losses, @f$ F_N = K \delta^{3/2} @f$.
@@ -159,6 +164,20 @@ namespace Tribody
     };
 
     /**
+     * The force of the elastic surfaces themselves, which PinSupport computes,
+     * times the hysteresis factor of LankaraniNikraveshLaw. That it depends on
+     * the position of the pin is not part of the law.
+     */
+    struct FiniteElementLaw
+    {
+      /// e_r [-]; 1: no losses.
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
      * To add a law: a struct like those above, its name in
      * contact_force_law_names(), its making in make_contact_force_law().
      */
@@ -167,11 +186,19 @@ namespace Tribody
                                          HuntCrossleyLaw,
                                          FloresLaw,
                                          SpringDamperLaw,
-                                         ElasticFoundationLaw>;
+                                         ElasticFoundationLaw,
+                                         FiniteElementLaw>;
 
     /// What can be chosen as "Contact force law".
     std::vector<std::string>
     contact_force_law_names();
+
+    /// Whether the force comes from a PinSupport.
+    inline bool
+    needs_support(const ContactForceLaw &law)
+    {
+      return std::holds_alternative<FiniteElementLaw>(law);
+    }
 
     /// The law of a joint with clearance.
     ContactForceLaw
@@ -184,7 +211,8 @@ namespace Tribody
 
     /**
      * Penetration [m] at which the force is @p normal_force [N], at the given
-     * rate and approach speed: the inverse of compute_normal_force().
+     * rate and approach speed: the inverse of compute_normal_force(). Not for
+     * laws that need a PinSupport.
      */
     double
     compute_penetration(const ContactForceLaw &law,

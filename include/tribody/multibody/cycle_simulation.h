@@ -39,8 +39,8 @@ namespace Tribody
     {
     public:
       /**
-       * Assembles the mechanism and estimates the scales of its contacts, once
-       * for all runs. Keeps a reference to @p mechanism.
+       * Assembles the mechanism, once for all runs. Keeps a reference to
+       * @p mechanism.
        * @throws ExcParameter for what cannot be assembled, redundant
        *   constraints, a missing driver, an analysis that does not fit the
        *   degrees of freedom, masses that are missing, or a crank that cannot
@@ -54,24 +54,30 @@ namespace Tribody
       CycleSimulation &
       operator=(const CycleSimulation &) = delete;
 
+      using Clearances = std::map<std::string, JointClearance>;
+      using Supports = std::map<std::string, std::shared_ptr<const PinSupport>>;
+
       /**
        * A settled cycle with the given clearances, by name of the joint; those
        * not given are as manufactured. Whether it has really settled is in the
-       * result. @throws ExcRun if the integration fails.
+       * result.
+       * @param supports of all joints under FiniteElementLaw.
+       * @throws ExcRun if the integration fails.
        */
       DutyCycle
-      run(const std::map<std::string, ClearanceProfile> &clearances = {}) const;
+      run(const Clearances &clearances = {},
+          const Supports   &supports   = {}) const;
 
-      const std::vector<ReferenceScale> &
-      reference_scales() const
-      {
-        return scales;
-      }
+      /// Of the joints as manufactured.
+      std::vector<ReferenceScale>
+      reference_scales(const Supports &supports = {}) const;
 
     private:
-      std::vector<ClearanceProfile>
-      collect_clearances(
-        const std::map<std::string, ClearanceProfile> &by_name) const;
+      std::vector<JointClearance>
+      collect_clearances(const Clearances &by_name) const;
+
+      EquationsOfMotion::Supports
+      collect_supports(const Supports &by_name) const;
 
       void
       check_analysis() const;
@@ -93,7 +99,8 @@ namespace Tribody
       run_statics(const EquationsOfMotion &equations) const;
 
       DutyCycle
-      run_dynamics(const EquationsOfMotion &equations) const;
+      run_dynamics(const EquationsOfMotion           &equations,
+                   const std::vector<ReferenceScale> &scales) const;
 
       // Go through cycles, one or as many as recorder is made for; returns the
       // integration steps taken.
@@ -122,12 +129,11 @@ namespace Tribody
       StartingState
       compute_start(const EquationsOfMotion &equations) const;
 
-      const Mechanism            &mechanism;
-      const DynamicsParameters    parameters;
-      const Mechanism             closed_mechanism;
-      const EquationsOfMotion     closed_equations;
-      const double                period;
-      std::vector<ReferenceScale> scales;
+      const Mechanism         &mechanism;
+      const DynamicsParameters parameters;
+      const Mechanism          closed_mechanism;
+      const EquationsOfMotion  closed_equations;
+      const double             period;
     };
   } // namespace Multibody
 } // namespace Tribody

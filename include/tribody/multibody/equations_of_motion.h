@@ -4,8 +4,9 @@
 #include <Eigen/Core>
 
 #include <tribody/multibody/clearance_joint.h>
-#include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/joint_clearance.h>
 
+#include <memory>
 #include <vector>
 
 namespace Tribody
@@ -54,10 +55,14 @@ namespace Tribody
       using Matrix      = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
       using ConstVector = const Eigen::Ref<const Eigen::VectorXd> &;
 
-      /// @p clearances in the order of mechanism.clearance_joints(). Keeps a
-      /// reference to @p mechanism.
-      EquationsOfMotion(const Mechanism                     &mechanism,
-                        const std::vector<ClearanceProfile> &clearances);
+      using Supports = std::vector<std::shared_ptr<const PinSupport>>;
+
+      /// @p clearances in the order of mechanism.clearance_joints(), and so @p
+      /// supports, of those joints whose law needs one; empty if none does.
+      /// Keeps a reference to @p mechanism.
+      EquationsOfMotion(const Mechanism                   &mechanism,
+                        const std::vector<JointClearance> &clearances,
+                        const Supports                    &supports = {});
 
       const Mechanism &
       mechanism() const
@@ -65,11 +70,11 @@ namespace Tribody
         return system;
       }
 
-      /// Clearance of clearance joint @p joint.
-      const ClearanceProfile &
-      clearance(const unsigned int joint) const
+      /// Of clearance joint @p joint.
+      const JointCondition &
+      condition(const unsigned int joint) const
       {
-        return clearances[joint];
+        return conditions[joint];
       }
 
       /// Phi(q, t).
@@ -202,12 +207,12 @@ namespace Tribody
       compute_energy(ConstVector q, ConstVector v) const;
 
     private:
-      const Mechanism              &system;
-      std::vector<ClearanceProfile> clearances;
+      const Mechanism            &system;
+      std::vector<JointCondition> conditions;
     };
 
     /// The clearances of all clearance joints as manufactured.
-    std::vector<ClearanceProfile>
+    std::vector<JointClearance>
     nominal_clearances(const Mechanism &mechanism);
   } // namespace Multibody
 } // namespace Tribody

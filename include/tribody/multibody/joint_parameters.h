@@ -45,6 +45,8 @@ namespace Tribody
       Material bushing_material;
       /// One of contact_force_law_names().
       std::string contact_force_law = "Lankarani-Nikravesh";
+      /// "deepest penetration" or "scalar clearance".
+      std::string worn_contact_geometry = "deepest penetration";
       /// Stiffness k [N/m] and damping b [N s/m] of the spring-damper.
       double contact_stiffness = 0.;
       double contact_damping   = 0.;
@@ -110,6 +112,13 @@ namespace Tribody
       has_clearance() const
       {
         return is_revolute() && model == "clearance";
+      }
+
+      /// Whether the dynamics asks the elastic bushing for its contact force.
+      bool
+      needs_support() const
+      {
+        return has_clearance() && contact_force_law == "finite element";
       }
 
       /// Whether the radii of pin and bushing matter to the motion.

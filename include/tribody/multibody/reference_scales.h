@@ -3,6 +3,7 @@
 
 #include <tribody/multibody/body_pair.h>
 
+#include <memory>
 #include <vector>
 
 namespace Tribody
@@ -11,6 +12,7 @@ namespace Tribody
   {
     class EquationsOfMotion;
     class Mechanism;
+    class PinSupport;
     struct DynamicsParameters;
     struct MotionTolerances;
 
@@ -52,11 +54,16 @@ namespace Tribody
      * in the lightest direction.
      *
      * @param period of a cycle [s]; 0: one turn of the first driver.
+     * @param supports of the joints with clearance, in their order, for those
+     *   whose law needs one; such a joint is looked at in the direction of its
+     *   mean force.
      */
     std::vector<ReferenceScale>
-    compute_reference_scales(const Mechanism         &mechanism,
-                             const EquationsOfMotion &closed,
-                             const double             period = 0.);
+    compute_reference_scales(
+      const Mechanism                                      &mechanism,
+      const EquationsOfMotion                              &closed,
+      const double                                          period   = 0.,
+      const std::vector<std::shared_ptr<const PinSupport>> &supports = {});
 
     /**
      * Error weights: @f$ \varepsilon\,\delta @f$ for positions and

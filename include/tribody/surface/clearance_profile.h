@@ -52,6 +52,17 @@ namespace Tribody
       return mean_clearance;
     }
 
+    /// Whether it is the same everywhere, by construction.
+    bool
+    is_constant() const
+    {
+      return spline == nullptr;
+    }
+
+    /// Equidistant values that the spline goes through; 0 without a spline.
+    unsigned int
+    n_nodes() const;
+
   private:
     struct Spline;
 

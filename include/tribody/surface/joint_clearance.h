@@ -1,0 +1,28 @@
+#ifndef tribody_surface_joint_clearance_h
+#define tribody_surface_joint_clearance_h
+
+#include <tribody/surface/clearance_profile.h>
+
+namespace Tribody
+{
+  /// The surfaces of a revolute joint, as worn as they are.
+  struct JointClearance
+  {
+    JointClearance() = default;
+
+    /// Whoever knows the bore only: the pin is as manufactured.
+    JointClearance(const ClearanceProfile &bushing,
+                   const ClearanceProfile &pin_wear = ClearanceProfile(0.))
+      : bushing(bushing)
+      , pin_wear(pin_wear)
+    {}
+
+    /// Radius of the worn bore minus that of the pin as manufactured [m], over
+    /// the angle in the bushing's frame.
+    ClearanceProfile bushing;
+    /// What the pin's radius has lost [m], over the angle in the pin's frame.
+    ClearanceProfile pin_wear;
+  };
+} // namespace Tribody
+
+#endif

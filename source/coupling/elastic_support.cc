@@ -1,0 +1,105 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/coupling/case_parameters.h>
+#include <tribody/coupling/elastic_joint.h>
+#include <tribody/coupling/elastic_support.h>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    ElasticSupport::ElasticSupport(const ElasticJoint      &joint,
+                                   const BushingParameters &parameters,
+                                   const double             pin_radius)
+      : name(parameters.name)
+      , axial_length(parameters.axial_length)
+      , solver(joint.bore(),
+               joint.compliance(),
+               pin_radius,
+               parameters.contact_solver)
+    {}
+
+
+
+    void
+    ElasticSupport::check(const Contact::ContactSolution &solution,
+                          const std::string              &given) const
+    {
+      AssertThrow(solution.report.converged,
+                  ExcRun("Joint " + name +
+                         ": the contact of pin and bushing that the dynamics "
+                         "asks for (" +
+                         given +
+                         ") has no solution: " + solution.report.message +
+                         ". A finer mesh (Bore cells) may help."));
+    }
+
+
+
+    Multibody::SupportForce
+    ElasticSupport::compute_force(const Eigen::Vector2d &e,
+                                  const double /*alpha*/) const
+    {
+      if (last_centre && *last_centre == e)
+        return last_force;
+      const Contact::ContactSolution solution =
+        solver.solve_position_controlled(e,
+                                         last_touching ? &*last_touching
+                                                       : nullptr);
+      ++solves;
+      check(solution,
+            "pin at x = " + std::to_string(1e3 * e.x()) +
+              " mm, y = " + std::to_string(1e3 * e.y()) + " mm");
+      Multibody::SupportForce result;
+      if (!solution.active_set.empty())
+        {
+          const Contact::PinStiffness stiffness =
+            solver.compute_pin_stiffness(solution);
+          result.force                 = axial_length * solution.force;
+          result.d_force.leftCols<2>() = axial_length * stiffness.force;
+          result.magnitudes = axial_length * solution.nodal_force.sum();
+          result.d_magnitudes.head<2>() =
+            axial_length * stiffness.nodal_force_sum;
+          last_touching = solution;
+          result.energy = axial_length * solver.stored_energy(solution);
+        }
+      last_centre = e;
+      last_force  = result;
+      return result;
+    }
+
+
+
+    Eigen::Vector2d
+    ElasticSupport::find_position(const Eigen::Vector2d &force,
+                                  const double /*alpha*/) const
+    {
+      const Contact::ContactSolution solution =
+        solver.solve_force_controlled(force / axial_length,
+                                      last_resting ? &*last_resting : nullptr);
+      ++solves;
+      check(solution, "force " + std::to_string(force.norm()) + " N");
+      last_resting = solution;
+      return solution.pin_centre;
+    }
+
+
+
+    std::map<std::string, std::shared_ptr<const Multibody::PinSupport>>
+    make_unworn_supports(const CaseParameters &parameters)
+    {
+      std::map<std::string, std::shared_ptr<const Multibody::PinSupport>>
+        result;
+      for (const BushingParameters &bushing : parameters.bushings)
+        {
+          const Multibody::JointParameters &joint =
+            parameters.joint(bushing.name);
+          if (joint.needs_support())
+            result[bushing.name] = std::make_shared<const ElasticSupport>(
+              ElasticJoint(bushing, joint, parameters.wear.compliance_update),
+              bushing,
+              joint.pin_radius);
+        }
+      return result;
+    }
+  } // namespace Coupling
+} // namespace Tribody
