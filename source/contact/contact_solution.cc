@@ -1,9 +1,12 @@
+#include <Eigen/QR>
+
 #include <tribody/contact/contact_solution.h>
 #include <tribody/surface/bore_surface.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace Tribody
 {
@@ -21,9 +24,19 @@ namespace Tribody
         return angle < 0. ? angle + 2. * M_PI : angle;
       }
 
+      /// Where @f$c_0 + c_1 x + c_2 x^2@f$ rises through zero, or NaN.
+      double
+      rising_root(const Eigen::Vector3d &c)
+      {
+        const double discriminant = c[1] * c[1] - 4. * c[0] * c[2];
+        const double denominator  = c[1] + std::sqrt(discriminant);
+        return denominator > 0. ? -2. * c[0] / denominator
+                                : std::numeric_limits<double>::quiet_NaN();
+      }
+
       /**
        * How far the end of contact lies beyond the last node in contact, seen
-       * from the pin's centre [rad], not negative.
+       * from the pin's centre [rad].
        *
        * @param last node in contact.
        * @param outward +1 if the contact ends counter-clockwise, else -1.
@@ -34,29 +47,38 @@ namespace Tribody
                const Eigen::Index     last,
                const int              outward)
       {
-        const Eigen::Index n    = surface.n_nodes();
-        const auto         node = [&](const int steps) {
-          return (last + n + outward * steps) % n;
+        const Eigen::Index    n = surface.n_nodes();
+        const Eigen::Vector2d end =
+          surface.positions.col(last) - solution.pin_centre;
+        const auto node = [&](const Eigen::Index steps) {
+          return ((last + outward * steps) % n + n) % n;
         };
-        const auto angle_to = [&](const int steps) {
-          const Eigen::Vector2d from =
-            surface.positions.col(last) - solution.pin_centre;
-          const Eigen::Vector2d to =
+        const auto angle_to = [&](const Eigen::Index steps) {
+          const Eigen::Vector2d x =
             surface.positions.col(node(steps)) - solution.pin_centre;
-          const double angle = turn(from, to);
-          return outward * (angle > M_PI ? angle - 2. * M_PI : angle);
+          return outward > 0 ? turn(end, x) : turn(x, end);
         };
 
-        const double spacing = angle_to(+1);
-        if (solution.active_set.size() < 6)
+        const double spacing = angle_to(1);
+        if (solution.active_set.size() < 6 || n < 12)
           return 0.5 * spacing;
-        const double near = std::pow(solution.pressure[node(-1)], 2);
-        const double far  = std::pow(solution.pressure[node(-2)], 2);
-        if (far <= near)
-          return 0.5 * spacing;
-        const double end =
-          angle_to(-1) + near / (far - near) * (angle_to(-1) - angle_to(-2));
-        return std::clamp(end, 0., spacing);
+        // The first node sees the single nodes that carry the contact, not its
+        // end; with eight more, what is left of that averages out.
+        constexpr Eigen::Index      first = 2, n_fitted = 8;
+        Eigen::Matrix<double, 8, 3> powers;
+        Eigen::Matrix<double, 8, 1> heights;
+        for (Eigen::Index k = 0; k < n_fitted; ++k)
+          {
+            const double x   = angle_to(first + k) / spacing;
+            const double gap = solution.gap[node(first + k)];
+            if (!(gap > 0.))
+              return 0.5 * spacing;
+            powers.row(k) << 1., x, x * x;
+            heights[k] = std::cbrt(gap * gap);
+          }
+        const double x =
+          rising_root(powers.colPivHouseholderQr().solve(heights));
+        return spacing * (std::isnan(x) ? 0.5 : std::clamp(x, -0.5, 1.5));
       }
     } // namespace
 

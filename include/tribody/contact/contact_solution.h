@@ -44,13 +44,15 @@ namespace Tribody
      * the contact [rad]; openings in between are not subtracted. Zero without
      * contact, pi if the pin touches all around.
      *
-     * An end lies somewhere between the last node in contact and the first
-     * one out of it. There the pressure falls to zero like the square root of
-     * the distance, so the square of the pressure is extrapolated linearly,
-     * from the second and third node (the last one carries the error of the
-     * discretisation), and the result is kept between those two nodes.
-     * With fewer than six nodes in contact the end is set halfway between
-     * them.
+     * At an end the gap opens like @f$d^{3/2}@f$ of the distance d, with the
+     * next term smaller by d over the width of the contact. So a parabola
+     * through the power 2/3 of the gaps beyond the end, by least squares, is
+     * zero at the end. Gaps are displacements of nodes, more accurate than
+     * pressures, which are averages around nodes and singular at the end; the
+     * node next to the end is left out. An end is placed within half a node
+     * distance of the last node in contact and the first one out of it, and
+     * halfway between them if fewer than six nodes are in contact or fewer than
+     * nine are out of it.
      */
     double
     contact_half_angle(const ContactSolution &solution,
