@@ -41,8 +41,10 @@ namespace Tribody
 
     ElasticJoint::ElasticJoint(const BushingParameters          &parameters,
                                const Multibody::JointParameters &joint,
-                               const double compliance_update)
-      : allowed_change(compliance_update *
+                               const double    compliance_update,
+                               const MPI_Comm &communicator)
+      : communicator(communicator)
+      , allowed_change(compliance_update *
                        (parameters.outer_radius - joint.bushing_radius))
       , triangulation(make_mesh(parameters, joint))
       , geometry(triangulation, parameters.element_degree, parameters.name)
@@ -105,7 +107,8 @@ namespace Tribody
         elasticity.normal_compliance(surface.normals,
                                      depth.isZero(0.)
                                        ? Elasticity::RingSymmetry::cells_alike
-                                       : Elasticity::RingSymmetry::none);
+                                       : Elasticity::RingSymmetry::none,
+                                     communicator);
       if (has_elastic_pin())
         {
           const Eigen::MatrixXd P =

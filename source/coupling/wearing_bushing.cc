@@ -1,4 +1,7 @@
+#include <deal.II/base/mpi.h>
+
 #include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/coupling/wearing_bushing.h>
@@ -30,10 +33,12 @@ namespace Tribody
 
     WearingBushing::WearingBushing(const BushingParameters          &parameters,
                                    const Multibody::JointParameters &joint,
-                                   const double compliance_update)
+                                   const double    compliance_update,
+                                   const MPI_Comm &communicator)
       : parameters(parameters)
       , joint(joint)
-      , elastic(parameters, joint, compliance_update)
+      , communicator(communicator)
+      , elastic(parameters, joint, compliance_update, communicator)
       , wear_profile(make_profile(elastic.bore_nodes()))
     {}
 
@@ -62,33 +67,45 @@ namespace Tribody
 
       // Neighbouring samples differ little, and the same sample on a similar
       // bore differs less.
-      for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
-        {
-          const Contact::ContactSolution *start = nullptr;
-          if (similar != nullptr)
-            start = &similar->samples[j];
-          else if (j > 0)
-            start = &contact.samples.back();
-          contact.samples.push_back(
-            solver.solve_force_controlled(force_per_length(cycle, j), start));
+      const Eigen::Index n_samples = cycle.normal_force.size();
+      const Ranks::Range own       = Ranks::share(n_samples, communicator);
+      contact.samples.resize(n_samples);
+      Ranks::run_together(communicator, [&]() {
+        for (Eigen::Index j = own.begin; j < own.end; ++j)
+          {
+            const Contact::ContactSolution *start = nullptr;
+            if (similar != nullptr)
+              start = &similar->samples[j];
+            else if (j > own.begin)
+              start = &contact.samples[j - 1];
+            Contact::ContactSolution &solution = contact.samples[j];
+            solution =
+              solver.solve_force_controlled(force_per_length(cycle, j), start);
+            AssertThrow(solution.report.converged,
+                        ExcRun(unsolved_contact(cycle, j, solution.report)));
 
-          const Contact::ContactSolution &solution = contact.samples.back();
-          AssertThrow(solution.report.converged,
-                      ExcRun(unsolved_contact(cycle, j, solution.report)));
+            for (Eigen::Index i = 0; i < depth.size(); ++i)
+              contact.removed_area[i] +=
+                archard.area_increment(solution.nodal_force[i],
+                                       cycle.sliding_increment[j]);
+            contact.peak_pressure =
+              contact.peak_pressure.cwiseMax(solution.pressure);
+            contact.max_pressure =
+              std::max(contact.max_pressure,
+                       Contact::peak_pressure(solution, contact.surface));
+          }
+      });
 
-          for (Eigen::Index i = 0; i < depth.size(); ++i)
-            contact.removed_area[i] +=
-              archard.area_increment(solution.nodal_force[i],
-                                     cycle.sliding_increment[j]);
-          contact.peak_pressure =
-            contact.peak_pressure.cwiseMax(solution.pressure);
-          contact.max_pressure =
-            std::max(contact.max_pressure,
-                     Contact::peak_pressure(solution, contact.surface));
-          if (cycle.normal_force[j] > cycle.normal_force[contact.peak_sample])
-            contact.peak_sample = j;
-        }
-
+      cycle.normal_force.maxCoeff(&contact.peak_sample);
+      Ranks::sum(contact.removed_area, communicator);
+      Ranks::max(contact.peak_pressure, communicator);
+      contact.max_pressure =
+        dealii::Utilities::MPI::max(contact.max_pressure, communicator);
+      Contact::broadcast(contact.samples[contact.peak_sample],
+                         Ranks::owner(contact.peak_sample,
+                                      n_samples,
+                                      communicator),
+                         communicator);
       contact.wear_rate =
         worn.depth_for_removed_area(contact.surface, contact.removed_area);
       return contact;
@@ -132,8 +149,10 @@ namespace Tribody
                                             elastic.compliance(),
                                             joint.pin_radius);
       // Samples with the same nodes in contact one after the other.
-      std::vector<std::size_t> order(contact.samples.size());
-      std::iota(order.begin(), order.end(), 0U);
+      const Ranks::Range own =
+        Ranks::share(contact.samples.size(), communicator);
+      std::vector<std::size_t> order(own.end - own.begin);
+      std::iota(order.begin(), order.end(), own.begin);
       std::stable_sort(order.begin(),
                        order.end(),
                        [&](const std::size_t a, const std::size_t b) {
@@ -145,6 +164,7 @@ namespace Tribody
                            contact.samples[j],
                            parameters.wear_coefficient *
                              contact.sliding_increments[j]);
+      Ranks::sum(jacobian, communicator);
       const Eigen::VectorXd area_derivative =
         wear_profile.area_derivative(contact.surface);
       return area_derivative.cwiseInverse().asDiagonal() * jacobian;

@@ -11,6 +11,7 @@
 #include <tribody/surface/clearance_profile.h>
 #include <tribody/wear/wear_profile.h>
 
+#include <mpi.h>
 #include <string>
 
 namespace Tribody
@@ -26,9 +27,11 @@ namespace Tribody
     /// entry per bore node.
     struct CycleContact
     {
-      /// The contact in every sample, and how far the pin slides in it [m].
+      /// The contact in every sample: in those of this rank's share and in the
+      /// peak_sample, the others are left empty.
       std::vector<Contact::ContactSolution> samples;
-      Eigen::VectorXd                       sliding_increments;
+      /// How far the pin slides in each sample [m].
+      Eigen::VectorXd sliding_increments;
       /// The worn bore that they belong to.
       BoreSurface surface;
       /// Cross-section area that the cycle removes at each node [m^2].
@@ -38,7 +41,7 @@ namespace Tribody
       /// Largest pressure of the cycle at each node [Pa].
       Eigen::VectorXd peak_pressure;
       /// Index of the sample with the largest normal force.
-      std::size_t peak_sample = 0;
+      Eigen::Index peak_sample = 0;
       /// Largest pressure of the cycle [Pa], read as Contact::peak_pressure().
       double max_pressure = 0.;
 
@@ -63,10 +66,13 @@ namespace Tribody
       /**
        * @param compliance_update change of the profile, as a fraction of the
        *   wall, after which the compliance is computed anew [-].
+       * @param communicator of ranks that hold the same bushing. They share the
+       *   columns of the compliance and the samples of a cycle.
        */
       WearingBushing(const BushingParameters          &parameters,
                      const Multibody::JointParameters &joint,
-                     const double                      compliance_update);
+                     const double                      compliance_update,
+                     const MPI_Comm &communicator = MPI_COMM_SELF);
 
       const std::string &
       name() const
@@ -79,8 +85,10 @@ namespace Tribody
        * by @p depth [m], and add up Archard's law over the cycle.
        * @param similar the result for a similar bore, to start from, or
        * nullptr.
-       * @throws ExcRun if a contact problem does not converge; names joint,
-       *   sample and force.
+       * All ranks must call this together; all get the same result, but for
+       * the samples.
+       * @throws ExcRun on all ranks if a contact problem does not converge;
+       *   names joint, sample and force.
        */
       CycleContact
       compute_cycle_contact(const Eigen::VectorXd           &depth,
@@ -91,7 +99,8 @@ namespace Tribody
        * How the wear rate changes with the depth, dW/dh [per cycle]: minus the
        * sum over the samples of @f$ k\,\Delta s\,D^{-1} S @f$, with D the
        * derivative of the bore's area and S of Contact::ForceSensitivity. What
-       * the wear does to D, and what it does to the dynamics, is left out.
+       * the wear does to D, and what it does to the dynamics, is left out. All
+       * ranks must call this together.
        */
       Eigen::MatrixXd
       compute_wear_rate_jacobian(const CycleContact &contact) const;
@@ -175,6 +184,7 @@ namespace Tribody
 
       BushingParameters          parameters;
       Multibody::JointParameters joint;
+      MPI_Comm                   communicator;
       ElasticJoint               elastic;
       Wear::WearProfile          wear_profile;
     };
