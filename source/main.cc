@@ -2,10 +2,10 @@
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
 #include <tribody/coupling/command_line.h>
 
 #include <exception>
-#include <iostream>
 
 int
 main(int argc, char **argv)
@@ -17,11 +17,6 @@ main(int argc, char **argv)
   const bool                                     is_first_rank =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-  const auto report = [is_first_rank](const std::string &message) {
-    if (is_first_rank)
-      std::cerr << message << std::endl;
-  };
-
   try
     {
       Console console(is_first_rank);
@@ -31,17 +26,20 @@ main(int argc, char **argv)
     }
   catch (const ExcInput &exception)
     {
-      report("Error in the input: " + message_of(exception));
-      return 2;
+      return Ranks::fail("Error in the input: " + message_of(exception),
+                         2,
+                         MPI_COMM_WORLD);
     }
   catch (const dealii::ExceptionBase &exception)
     {
-      report("The run failed: " + message_of(exception));
-      return 1;
+      return Ranks::fail("The run failed: " + message_of(exception),
+                         1,
+                         MPI_COMM_WORLD);
     }
   catch (const std::exception &exception)
     {
-      report(std::string("The run failed: ") + exception.what());
-      return 1;
+      return Ranks::fail(std::string("The run failed: ") + exception.what(),
+                         1,
+                         MPI_COMM_WORLD);
     }
 }

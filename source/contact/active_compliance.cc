@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 
 #include <tribody/contact/active_compliance.h>
+#include <tribody/contact/dense_products.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,28 +16,21 @@ namespace Tribody
       /// Following this part of the nodes costs as much as a new inverse.
       constexpr double largest_change = 0.3;
 
-      /// @p matrix times few columns. Matrix times vector, one after the other,
-      /// is faster than Eigen's product of matrices, which copies the first one
-      /// to prepare it for many columns.
       Eigen::MatrixXd
-      multiply_columns(const Eigen::Ref<const Eigen::MatrixXd> &matrix,
-                       const Eigen::MatrixXd                   &few)
+      multiply(const ConstBlock &matrix, const Eigen::MatrixXd &few)
       {
-        Eigen::MatrixXd product(matrix.rows(), few.cols());
-        for (Eigen::Index j = 0; j < few.cols(); ++j)
-          product.col(j).noalias() = matrix * few.col(j);
+        Eigen::MatrixXd product =
+          Eigen::MatrixXd::Zero(matrix.rows(), few.cols());
+        add_product(matrix, few, product);
         return product;
       }
 
       /// Add @p sign times @f$ Z^T Z @f$ for a Z of few rows.
       void
-      add_square(const double                sign,
-                 const Eigen::MatrixXd      &Z,
-                 Eigen::Ref<Eigen::MatrixXd> matrix)
+      add_square(const double sign, const Eigen::MatrixXd &Z, Block matrix)
       {
         const Eigen::MatrixXd few = sign * Z.transpose();
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-          matrix.col(j).noalias() += few * Z.col(j);
+        add_outer_product(few, Z, matrix);
       }
     } // namespace
 
@@ -172,7 +166,7 @@ namespace Tribody
 
       auto                              X = inverse.topLeftCorner(m, m);
       const Eigen::MatrixXd             B = compliance(order, nodes);
-      const Eigen::MatrixXd             Y = X * B;
+      const Eigen::MatrixXd             Y = multiply(X, B);
       const Eigen::LLT<Eigen::MatrixXd> S(compliance(nodes, nodes) -
                                           B.transpose() * Y);
       const Eigen::MatrixXd             Z = S.matrixL().solve(Y.transpose());
@@ -203,7 +197,7 @@ namespace Tribody
       for (Eigen::Index k = 0; k < m; ++k)
         ordered.row(place[active_set[k]]) = right_hand_sides.row(k);
       const Eigen::MatrixXd product =
-        multiply_columns(inverse.topLeftCorner(m, m), ordered);
+        multiply(inverse.topLeftCorner(m, m), ordered);
       for (Eigen::Index k = 0; k < m; ++k)
         ordered.row(k) = product.row(place[active_set[k]]);
       return ordered;

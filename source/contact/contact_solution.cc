@@ -1,5 +1,8 @@
+#include <deal.II/base/mpi.h>
+
 #include <Eigen/QR>
 
+#include <tribody/base/ranks.h>
 #include <tribody/contact/contact_solution.h>
 #include <tribody/surface/bore_surface.h>
 
@@ -81,6 +84,50 @@ namespace Tribody
         return spacing * (std::isnan(x) ? 0.5 : std::clamp(x, -0.5, 1.5));
       }
     } // namespace
+
+
+
+    void
+    broadcast(ContactSolution   &solution,
+              const unsigned int root,
+              const MPI_Comm    &communicator)
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return;
+      const Eigen::Index n =
+        dealii::Utilities::MPI::broadcast(communicator,
+                                          solution.nodal_force.size(),
+                                          root);
+      if (solution.nodal_force.size() != n)
+        {
+          solution             = ContactSolution();
+          solution.nodal_force = solution.pressure = solution.gap =
+            Eigen::VectorXd::Zero(n);
+        }
+      Eigen::VectorXd is_active = Eigen::VectorXd::Zero(n);
+      for (const Eigen::Index i : solution.active_set)
+        is_active[i] = 1.;
+      Eigen::VectorXd values(4 * n + 8);
+      values << solution.nodal_force, solution.pressure, solution.gap,
+        is_active, solution.pin_centre, solution.force, solution.half_angle,
+        solution.report.converged, solution.report.n_iterations,
+        solution.report.residual;
+      Ranks::broadcast(values, root, communicator);
+
+      solution.nodal_force         = values.segment(0, n);
+      solution.pressure            = values.segment(n, n);
+      solution.gap                 = values.segment(2 * n, n);
+      solution.pin_centre          = values.segment<2>(4 * n);
+      solution.force               = values.segment<2>(4 * n + 2);
+      solution.half_angle          = values[4 * n + 4];
+      solution.report.converged    = values[4 * n + 5] > 0.;
+      solution.report.n_iterations = std::lround(values[4 * n + 6]);
+      solution.report.residual     = values[4 * n + 7];
+      solution.active_set.clear();
+      for (Eigen::Index i = 0; i < n; ++i)
+        if (values[3 * n + i] > 0.)
+          solution.active_set.push_back(i);
+    }
 
 
 

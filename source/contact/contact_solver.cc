@@ -2,6 +2,7 @@
 
 #include <tribody/contact/contact_programme.h>
 #include <tribody/contact/contact_solver.h>
+#include <tribody/contact/dense_products.h>
 #include <tribody/contact/pin_gap.h>
 
 #include <algorithm>
@@ -226,12 +227,10 @@ namespace Tribody
       iterate.gap.setZero(surface.n_nodes());
       for (const Arc &row : find_arcs(is_active))
         for (const Arc &column : active_arcs)
-          iterate.gap.segment(row.begin, row.length).noalias() +=
-            compliance.block(row.begin,
-                             column.begin,
-                             row.length,
-                             column.length) *
-            iterate.nodal_force.segment(column.begin, column.length);
+          add_product(compliance.block(
+                        row.begin, column.begin, row.length, column.length),
+                      iterate.nodal_force.segment(column.begin, column.length),
+                      iterate.gap.segment(row.begin, row.length));
       // A distance is known to a few roundings only; under forces so small
       // that the bore yields less than that, this is all there is.
       iterate.gap_tolerance =

@@ -45,8 +45,10 @@ namespace Tribody
 
     ElasticJoint::ElasticJoint(const BushingParameters          &parameters,
                                const Multibody::JointParameters &joint,
-                               const double compliance_update)
-      : cells_are_alike(parameters.cells_are_alike())
+                               const double    compliance_update,
+                               const MPI_Comm &communicator)
+      : communicator(communicator)
+      , cells_are_alike(parameters.cells_are_alike())
       , triangulation(make_bushing_mesh(parameters, joint.bushing_radius))
       , allowed_change(
           compliance_update *
@@ -115,7 +117,8 @@ namespace Tribody
         elasticity.normal_compliance(surface.normals,
                                      cells_are_alike && depth.isZero(0.)
                                        ? Elasticity::RingSymmetry::cells_alike
-                                       : Elasticity::RingSymmetry::none);
+                                       : Elasticity::RingSymmetry::none,
+                                     communicator);
       if (has_elastic_pin())
         {
           const Eigen::MatrixXd P =

@@ -95,13 +95,14 @@ namespace Tribody
     RunRecorder::record(const RunState                  &state,
                         const std::list<WearingBushing> &bushings)
     {
-      if (!writes)
-        return;
-      write_history_row(state, bushings);
+      if (writes)
+        write_history_row(state, bushings);
 
       if (state.cycles >= next_output())
         record_fields(state, bushings);
 
+      if (!writes)
+        return;
       const bool is_last = state.cycles >= parameters.cycles;
       if (parameters.cycles > 0 &&
           (is_last || seconds_since(progress_printed_at) > progress_interval))
@@ -126,9 +127,22 @@ namespace Tribody
     RunRecorder::record_fields(const RunState                  &state,
                                const std::list<WearingBushing> &bushings)
     {
-      if (!writes || last_output_at == state.cycles ||
+      if (last_output_at == state.cycles ||
           state.contacts.size() != bushings.size())
         return;
+      if (writes)
+        write_fields(state, bushings);
+      // The next output is the same on all ranks.
+      last_output_at = state.cycles;
+      ++n_outputs;
+    }
+
+
+
+    void
+    RunRecorder::write_fields(const RunState                  &state,
+                              const std::list<WearingBushing> &bushings)
+    {
       write_cycle_tables(directory,
                          parameters.mechanism,
                          state.duty_cycle,
@@ -145,8 +159,6 @@ namespace Tribody
                             vtu_files[b]);
           ++b;
         }
-      last_output_at = state.cycles;
-      ++n_outputs;
     }
 
 

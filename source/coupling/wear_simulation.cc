@@ -3,6 +3,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/interruption.h>
+#include <tribody/base/ranks.h>
 #include <tribody/coupling/constant_jump.h>
 #include <tribody/coupling/elastic_support.h>
 #include <tribody/coupling/implicit_jump.h>
@@ -60,14 +61,16 @@ namespace Tribody
 
 
       std::list<WearingBushing>
-      make_bushings(const CaseParameters &parameters)
+      make_bushings(const CaseParameters &parameters,
+                    const MPI_Comm       &communicator)
       {
         std::list<WearingBushing> bushings;
         if (parameters.cycles > 0)
           for (const BushingParameters &bushing : parameters.bushings)
             bushings.emplace_back(bushing,
                                   parameters.joint(bushing.name),
-                                  parameters.wear.compliance_update);
+                                  parameters.wear.compliance_update,
+                                  communicator);
         return bushings;
       }
 
@@ -86,7 +89,7 @@ namespace Tribody
               dealii::TimerOutput::wall_times)
       , mechanism(parameters.mechanism)
       , dynamics(mechanism, make_dynamics_parameters(parameters))
-      , bushings(make_bushings(parameters))
+      , bushings(make_bushings(parameters, communicator))
       , supports(parameters.cycles == 0
                    ? make_unworn_supports(parameters)
                    : Multibody::CycleSimulation::Supports())
@@ -144,7 +147,7 @@ namespace Tribody
                            console,
                            dealii::Utilities::MPI::this_mpi_process(
                              communicator) == 0);
-      recorder.start();
+      Ranks::run_together(communicator, [&]() { recorder.start(); });
       watch_for_interruption();
       try
         {
@@ -161,7 +164,7 @@ namespace Tribody
         }
       if (parameters.cycles > 0)
         timer.print_summary();
-      AssertThrow(!was_interrupted(),
+      AssertThrow(!is_interrupted(),
                   ExcRun("It was interrupted; the results up to there are "
                          "written."));
     }
@@ -213,12 +216,39 @@ namespace Tribody
 
 
 
+    bool
+    WearSimulation::is_interrupted() const
+    {
+      return dealii::Utilities::MPI::max(was_interrupted() ? 1 : 0,
+                                         communicator) > 0;
+    }
+
+
+
+    void
+    WearSimulation::record(RunRecorder &recorder)
+    {
+      Ranks::run_together(communicator,
+                          [&]() { recorder.record(state, bushings); });
+    }
+
+
+
+    void
+    WearSimulation::record_fields(RunRecorder &recorder)
+    {
+      Ranks::run_together(communicator,
+                          [&]() { recorder.record_fields(state, bushings); });
+    }
+
+
+
     std::string
     WearSimulation::run_cycles(RunRecorder &recorder)
     {
       run_dynamics();
       solve_contacts();
-      recorder.record(state, bushings);
+      record(recorder);
 
       while (state.cycles < parameters.cycles)
         {
@@ -228,13 +258,13 @@ namespace Tribody
           estimate_error();
           if (reached >= 0)
             {
-              recorder.record_fields(state, bushings);
+              record_fields(recorder);
               return stop_conditions.describe(reached);
             }
-          recorder.record(state, bushings);
-          if (was_interrupted())
+          record(recorder);
+          if (is_interrupted())
             {
-              recorder.record_fields(state, bushings);
+              record_fields(recorder);
               return "interrupted by a signal";
             }
         }
@@ -331,7 +361,10 @@ namespace Tribody
           if (bushing.joint_parameters().needs_support())
             supports[bushing.name()] = bushing.make_support();
         }
-      state.duty_cycle = dynamics.run(clearances, supports);
+      Ranks::run_together(communicator, [&]() {
+        state.duty_cycle = dynamics.run(clearances, supports);
+      });
+      take_forces_of_first_rank();
 
       const Multibody::SettlingReport &settling = state.duty_cycle.settling;
       state.counts.dynamics_cycles += settling.n_cycles;
@@ -352,6 +385,19 @@ namespace Tribody
       state.all_settled = state.all_settled && settling.converged;
       for (std::size_t j = 0; j < state.contact_losses.size(); ++j)
         state.contact_losses[j] += state.duty_cycle.joints[j].n_losses;
+    }
+
+
+
+    void
+    WearSimulation::take_forces_of_first_rank()
+    {
+      for (Multibody::JointDutyCycle &joint : state.duty_cycle.joints)
+        for (Eigen::VectorXd *field : {&joint.normal_force,
+                                       &joint.contact_angle_bushing,
+                                       &joint.contact_angle_pin,
+                                       &joint.sliding_increment})
+          Ranks::broadcast(*field, 0, communicator);
     }
 
 

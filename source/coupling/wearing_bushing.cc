@@ -1,4 +1,7 @@
+#include <deal.II/base/mpi.h>
+
 #include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/coupling/elastic_support.h>
@@ -29,10 +32,11 @@ namespace Tribody
 
       // Samples with the same nodes in contact one after the other.
       std::vector<std::size_t>
-      order_by_active_set(const std::vector<Contact::ContactSolution> &samples)
+      order_by_active_set(const std::vector<Contact::ContactSolution> &samples,
+                          const Ranks::Range                          &range)
       {
-        std::vector<std::size_t> order(samples.size());
-        std::iota(order.begin(), order.end(), 0U);
+        std::vector<std::size_t> order(range.end - range.begin);
+        std::iota(order.begin(), order.end(), range.begin);
         std::stable_sort(order.begin(),
                          order.end(),
                          [&](const std::size_t a, const std::size_t b) {
@@ -46,11 +50,13 @@ namespace Tribody
 
     WearingBushing::WearingBushing(const BushingParameters          &parameters,
                                    const Multibody::JointParameters &joint,
-                                   const double compliance_update)
+                                   const double    compliance_update,
+                                   const MPI_Comm &communicator)
       : parameters(parameters)
       , joint(joint)
+      , communicator(communicator)
       , law(parameters.wear_law())
-      , elastic(parameters, joint, compliance_update)
+      , elastic(parameters, joint, compliance_update, communicator)
       , wear_profile(make_profile(elastic.bore_nodes()))
     {
       if (parameters.pin_wear_coefficient > 0.)
@@ -97,36 +103,49 @@ namespace Tribody
 
       // Neighbouring samples differ little, and the same sample on a similar
       // bore differs less.
-      for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
-        {
-          const Contact::ContactSolution *start = nullptr;
-          if (similar != nullptr)
-            start = &similar->samples[j];
-          else if (j > 0)
-            start = &contact.samples.back();
-          if (pin)
-            solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
-          contact.samples.push_back(
-            solver.solve_force_controlled(force_per_length(cycle, j), start));
+      const Eigen::Index n_samples = cycle.normal_force.size();
+      const Ranks::Range own       = Ranks::share(n_samples, communicator);
+      contact.samples.resize(n_samples);
+      for (Eigen::Index j = 0; j < n_samples; ++j)
+        contact.slidings.push_back(
+          {cycle.sliding_increment[j],
+           cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
+           sliding_distance});
+      Ranks::run_together(communicator, [&]() {
+        for (Eigen::Index j = own.begin; j < own.end; ++j)
+          {
+            const Contact::ContactSolution *start = nullptr;
+            if (similar != nullptr)
+              start = &similar->samples[j];
+            else if (j > own.begin)
+              start = &contact.samples[j - 1];
+            if (pin)
+              solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
+            Contact::ContactSolution &solution = contact.samples[j];
+            solution =
+              solver.solve_force_controlled(force_per_length(cycle, j), start);
+            AssertThrow(solution.report.converged,
+                        ExcRun(unsolved_contact(cycle, j, solution.report)));
 
-          const Contact::ContactSolution &solution = contact.samples.back();
-          AssertThrow(solution.report.converged,
-                      ExcRun(unsolved_contact(cycle, j, solution.report)));
+            add_wear(contact, j);
+            contact.peak_pressure =
+              contact.peak_pressure.cwiseMax(solution.pressure);
+            contact.max_pressure =
+              std::max(contact.max_pressure,
+                       Contact::peak_pressure(solution, contact.surface));
+          }
+      });
 
-          contact.slidings.push_back(
-            {cycle.sliding_increment[j],
-             cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
-             sliding_distance});
-          add_wear(contact, j);
-          contact.peak_pressure =
-            contact.peak_pressure.cwiseMax(solution.pressure);
-          contact.max_pressure =
-            std::max(contact.max_pressure,
-                     Contact::peak_pressure(solution, contact.surface));
-          if (cycle.normal_force[j] > cycle.normal_force[contact.peak_sample])
-            contact.peak_sample = j;
-        }
-
+      cycle.normal_force.maxCoeff(&contact.peak_sample);
+      Ranks::sum(contact.removed_area, communicator);
+      Ranks::max(contact.peak_pressure, communicator);
+      contact.max_pressure =
+        dealii::Utilities::MPI::max(contact.max_pressure, communicator);
+      Contact::broadcast(contact.samples[contact.peak_sample],
+                         Ranks::owner(contact.peak_sample,
+                                      n_samples,
+                                      communicator),
+                         communicator);
       contact.wear_rate =
         contact.removed_area.cwiseQuotient(contact.area_derivative);
       return contact;
@@ -185,12 +204,15 @@ namespace Tribody
       Contact::ForceSensitivity sensitivity(contact.surface.positions,
                                             elastic.compliance(),
                                             joint.pin_radius);
-      for (const std::size_t j : order_by_active_set(contact.samples))
+      const Ranks::Range own =
+        Ranks::share(contact.samples.size(), communicator);
+      for (const std::size_t j : order_by_active_set(contact.samples, own))
         if (!contact.samples[j].active_set.empty())
           subtract_wear_derivative(derivative,
                                    contact,
                                    j,
                                    sensitivity.compute(contact.samples[j]));
+      Ranks::sum(derivative, communicator);
       return contact.area_derivative.cwiseInverse().asDiagonal() * derivative;
     }
 

@@ -5,6 +5,7 @@
 
 #include <tribody/base/solver_report.h>
 
+#include <mpi.h>
 #include <vector>
 
 namespace Tribody
@@ -18,7 +19,8 @@ namespace Tribody
 
     /**
      * How pin and bore press on each other in one instant. A plain value; all
-     * vectors have one entry per bore node.
+     * vectors have one entry per bore node. A new member belongs into
+     * broadcast(), too.
      */
     struct ContactSolution
     {
@@ -38,6 +40,13 @@ namespace Tribody
       double       half_angle = 0.;
       SolverReport report;
     };
+
+    /// Replace @p solution by that of rank @p root of @p communicator, on whose
+    /// ranks all must know the same bore.
+    void
+    broadcast(ContactSolution   &solution,
+              const unsigned int root,
+              const MPI_Comm    &communicator);
 
     /**
      * Half of the angle, seen from the pin's centre, between the two ends of

@@ -13,6 +13,7 @@
 #include <tribody/surface/bore_surface.h>
 #include <tribody/wear/wear_profile.h>
 
+#include <mpi.h>
 #include <string>
 
 namespace Tribody
@@ -33,10 +34,13 @@ namespace Tribody
        * Unworn.
        * @param compliance_update change of the profile, as a fraction of the
        *   wall, after which the compliance is computed anew [-].
+       * @param communicator of ranks that hold the same joint and share the
+       *   columns of its compliance.
        */
       ElasticJoint(const BushingParameters          &parameters,
                    const Multibody::JointParameters &joint,
-                   const double                      compliance_update);
+                   const double                      compliance_update,
+                   const MPI_Comm &communicator = MPI_COMM_SELF);
 
       /**
        * Take the shape of @p profile, whose nodes must be bore_nodes().
@@ -99,6 +103,7 @@ namespace Tribody
       void
       update_compliance();
 
+      MPI_Comm communicator;
       /// Of the unworn bushing.
       bool                     cells_are_alike;
       dealii::Triangulation<2> triangulation;

@@ -62,6 +62,10 @@ namespace Tribody
       open_history();
 
       void
+      write_fields(const RunState                  &state,
+                   const std::list<WearingBushing> &bushings);
+
+      void
       write_history_row(const RunState                  &state,
                         const std::list<WearingBushing> &bushings);
 

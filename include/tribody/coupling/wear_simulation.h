@@ -58,9 +58,25 @@ namespace Tribody
       std::string
       run_cycles(RunRecorder &recorder);
 
-      /// One settled cycle of the mechanism with its worn joints.
+      /// By a signal, which need not reach all ranks at the same moment.
+      bool
+      is_interrupted() const;
+
+      /// See RunRecorder; a failure to write stops all ranks.
+      void
+      record(RunRecorder &recorder);
+
+      void
+      record_fields(RunRecorder &recorder);
+
+      /// One settled cycle of the mechanism with its worn joints, on each rank.
       void
       run_dynamics();
+
+      /// What the contacts need of the duty cycle, so that no rounding lets the
+      /// ranks drift apart.
+      void
+      take_forces_of_first_rank();
 
       /// Contact and wear per cycle in every bushing.
       void

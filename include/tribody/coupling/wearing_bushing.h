@@ -15,6 +15,7 @@
 #include <tribody/wear/wear_profile.h>
 
 #include <memory>
+#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,11 @@ namespace Tribody
      */
     struct CycleContact
     {
-      /// The contact in every sample, and how the pin slides in it.
+      /// The contact in every sample: in those of this rank's share and in the
+      /// peak_sample, the others are left empty.
       std::vector<Contact::ContactSolution> samples;
-      std::vector<Wear::Sliding>            slidings;
+      /// How the pin slides in each sample.
+      std::vector<Wear::Sliding> slidings;
       /// The worn bore that they belong to.
       BoreSurface surface;
       /// How the pin faces it; empty if the pin does not wear.
@@ -52,7 +55,7 @@ namespace Tribody
       /// Largest pressure of the cycle at each bore node [Pa].
       Eigen::VectorXd peak_pressure;
       /// Index of the sample with the largest normal force.
-      std::size_t peak_sample = 0;
+      Eigen::Index peak_sample = 0;
       /// Largest pressure of the cycle [Pa], read as Contact::peak_pressure().
       double max_pressure = 0.;
 
@@ -102,10 +105,13 @@ namespace Tribody
       /**
        * @param compliance_update change of the profile, as a fraction of the
        *   wall, after which the compliance is computed anew [-].
+       * @param communicator of ranks that hold the same bushing. They share the
+       *   columns of the compliance and the samples of a cycle.
        */
       WearingBushing(const BushingParameters          &parameters,
                      const Multibody::JointParameters &joint,
-                     const double                      compliance_update);
+                     const double                      compliance_update,
+                     const MPI_Comm &communicator = MPI_COMM_SELF);
 
       const std::string &
       name() const
@@ -122,8 +128,10 @@ namespace Tribody
        * @param similar the result for similar surfaces, to start from, or
        * nullptr.
        * @param sliding_distance how far the joint has slid before [m].
-       * @throws ExcRun if a contact problem does not converge; names joint,
-       *   sample and force.
+       * All ranks must call this together; all get the same result, but for
+       * the samples.
+       * @throws ExcRun on all ranks if a contact problem does not converge;
+       *   names joint, sample and force.
        */
       CycleContact
       compute_cycle_contact(const Eigen::VectorXd           &depth,
@@ -142,6 +150,7 @@ namespace Tribody
        * What the wear does to D and P, and what it does to the dynamics, is
        * left out. Constant coefficients are @f$ k \Delta s_j @f$; then it is
        * symmetric in the metric @f$ D/k @f$ and nowhere positive.
+       * All ranks must call this together.
        */
       Eigen::MatrixXd
       compute_wear_rate_jacobian(const CycleContact &contact) const;
@@ -286,6 +295,7 @@ namespace Tribody
 
       BushingParameters           parameters;
       Multibody::JointParameters  joint;
+      MPI_Comm                    communicator;
       Wear::WearLaw               law;
       ElasticJoint                elastic;
       Wear::WearProfile           wear_profile;
