@@ -217,6 +217,15 @@ namespace Tribody
             << bushing.mesh_oscillation
             << ", losses of contact in the recorded cycles "
             << joint.contact_losses << std::endl;
+        const Output::MeshError &mesh = bushing.mesh_error;
+        if (mesh.n_coarse_nodes > 0)
+          out << "    mesh: with " << mesh.n_coarse_nodes << " instead of "
+              << mesh.n_nodes
+              << " bore nodes the largest pressure of the first cycle differs "
+                 "by "
+              << 100. * mesh.max_pressure << " %, the maximum depth of "
+              << (mesh.covers_whole_run ? "the run" : "that cycle") << " by "
+              << 100. * mesh.wear_depth << " %" << std::endl;
       }
 
 
@@ -431,6 +440,8 @@ namespace Tribody
                                                     state.contacts[b],
                                                     state.totals[b]);
                   joint.bushing.max_stable_wear_step = state.max_stable_step;
+                  if (b < state.mesh_errors.size())
+                    joint.bushing.mesh_error = state.mesh_errors[b];
                   joint.clearance += joint.bushing.max_wear_depth;
                   summary.compliance_builds += bushing.n_compliance_builds();
                   summary.max_wear_depth_relative_error =

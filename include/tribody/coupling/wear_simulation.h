@@ -5,6 +5,7 @@
 
 #include <tribody/base/console.h>
 #include <tribody/coupling/case_parameters.h>
+#include <tribody/coupling/coarse_run.h>
 #include <tribody/coupling/cycle_jump.h>
 #include <tribody/coupling/run_recorder.h>
 #include <tribody/coupling/run_state.h>
@@ -71,6 +72,14 @@ namespace Tribody
       int
       take_wear_step(const double end);
 
+      /// Compare the first cycle with that on coarser meshes.
+      void
+      start_coarse_run();
+
+      /// Let the bushings on coarser meshes wear as far as the others have.
+      void
+      follow_on_coarse_meshes();
+
       /// Add up what the last wear step has left of error, now that the rates
       /// at its end are known.
       void
@@ -104,6 +113,7 @@ namespace Tribody
       RunState                   state;
       StopConditions             stop_conditions;
       std::unique_ptr<CycleJump> jump;
+      std::unique_ptr<CoarseRun> coarse_run;
       bool                       unstable_step_reported = false;
     };
   } // namespace Coupling
