@@ -102,10 +102,13 @@ namespace Tribody
       if (!follows_whole_run || coarse.empty())
         return;
       state.duty_cycle = cycle;
+      solve_contacts();
       while (state.cycles < end)
         {
-          solve_contacts();
           jump->advance(state, end);
+          solve_contacts();
+          // By which it chooses its next step.
+          jump->estimate_error(state.contacts);
         }
     }
 

@@ -243,10 +243,10 @@ namespace Tribody
     {
       if (parameters.wear.mesh_error_estimate == "none" || bushings.empty())
         return;
-      dealii::TimerOutput::Scope scope(timer, "coarser meshes");
-      coarse_run = std::make_unique<CoarseRun>(parameters.wear, bushings);
-      coarse_run->start(state, bushings);
-      state.mesh_errors = coarse_run->compare(bushings);
+      on_coarse_meshes([this]() {
+        coarse_run = std::make_unique<CoarseRun>(parameters.wear, bushings);
+        coarse_run->start(state, bushings);
+      });
     }
 
 
@@ -254,11 +254,31 @@ namespace Tribody
     void
     WearSimulation::follow_on_coarse_meshes()
     {
-      if (coarse_run == nullptr)
-        return;
+      if (coarse_run != nullptr)
+        on_coarse_meshes(
+          [this]() { coarse_run->follow(state.duty_cycle, state.cycles); });
+    }
+
+
+
+    void
+    WearSimulation::on_coarse_meshes(const std::function<void()> &action)
+    {
       dealii::TimerOutput::Scope scope(timer, "coarser meshes");
-      coarse_run->follow(state.duty_cycle, state.cycles);
-      state.mesh_errors = coarse_run->compare(bushings);
+      try
+        {
+          action();
+          state.mesh_errors = coarse_run->compare(bushings);
+        }
+      catch (const ExcRun &exception)
+        {
+          // The run itself does not need it.
+          coarse_run.reset();
+          state.mesh_errors.clear();
+          console.out() << "WARNING: no estimate of the error of the mesh, as "
+                           "the next coarser one fails: "
+                        << message_of(exception) << std::endl;
+        }
     }
 
 

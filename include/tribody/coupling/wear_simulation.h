@@ -16,6 +16,7 @@
 #include <tribody/output/summary.h>
 
 #include <exception>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mpi.h>
@@ -79,6 +80,10 @@ namespace Tribody
       /// Let the bushings on coarser meshes wear as far as the others have.
       void
       follow_on_coarse_meshes();
+
+      /// Do this, or say why it cannot be done and go on without.
+      void
+      on_coarse_meshes(const std::function<void()> &action);
 
       /// Add up what the last wear step has left of error, now that the rates
       /// at its end are known.
