@@ -215,8 +215,9 @@ namespace Tribody
           if (std::abs(off(i)) > std::abs(off(worst)))
             worst = i;
         // What rounding leaves of a centre is none.
-        if (mean.norm() < 1e-9 * radius)
-          mean = dealii::Point<2>();
+        for (unsigned int d = 0; d < 2; ++d)
+          if (std::abs(mean[d]) < 1e-9 * radius)
+            mean[d] = 0.;
         AssertThrow(
           std::abs(off(worst)) <= roundness * radius,
           ExcParameter(

@@ -72,10 +72,12 @@ write(const Contents &c, const std::string &name)
   for (unsigned int k = 0; k < c.layers; ++k)
     for (unsigned int i = 0; i < c.n; ++i)
       if (c.triangles)
-        file << ++element << " 2 2 9 1 " << node(k, i) << ' ' << node(k + 1, i)
-             << ' ' << node(k + 1, i + 1) << '\n'
-             << element + c.n * c.layers << " 2 2 9 1 " << node(k, i) << ' '
-             << node(k + 1, i + 1) << ' ' << node(k, i + 1) << '\n';
+        {
+          file << ++element << " 2 2 9 1 " << node(k, i) << ' '
+               << node(k + 1, i) << ' ' << node(k + 1, i + 1) << '\n';
+          file << ++element << " 2 2 9 1 " << node(k, i) << ' '
+               << node(k + 1, i + 1) << ' ' << node(k, i + 1) << '\n';
+        }
       else
         file << ++element << " 3 2 9 1 " << node(k, i) << ' ' << node(k + 1, i)
              << ' ' << node(k + 1, i + 1) << ' ' << node(k, i + 1) << '\n';

@@ -8,7 +8,7 @@
 //
 // An elliptic and an off-centre rim far away: the bore's compliance under
 // p cos n t, n >= 2, is that of an infinite plate (see harmonics_01), within
-// a few 1e-4. The mesh's area is pi a b minus the bore, with quadratic cells to
+// 0.1 %. The mesh's area is pi a b minus the bore, with quadratic cells to
 // the fourth order of their size; no known number depends on where the rim is,
 // so the ring is turned: an ellipse along y is one along x, turned by 90
 // degrees.
@@ -78,7 +78,7 @@ check_foundation(const double k_n, const double k_t)
   const double shear = (p * a * a / (b * b * stiff_t) - D / b) / b * a + D / a;
   const double sheared = displacement_of_first_node(elasticity, p * along)[1];
   std::cout << "foundation of " << 1e-12 * k_n << " and " << 1e-12 * k_t
-            << " N/mm^3/1000: pressed " << 1e6 * radial << " um, off by "
+            << " kN/mm^3: pressed " << 1e6 * radial << " um, off by "
             << 1e3 * (computed / radial - 1.) << "e-3; sheared " << 1e6 * shear
             << " um, off by " << 1e3 * (sheared / shear - 1.) << "e-3"
             << std::endl;
