@@ -239,6 +239,11 @@ namespace Tribody
                           joint.bushing_radius,
                           outer_radius);
         }
+      AssertThrow(!mesh_file.is_given() || mesh.n_contact_nodes == 0,
+                  ExcParameter("Bushing " + name + "/Mesh/Nodes across contact",
+                               "the cells of a mesh file are what they are; "
+                               "divide them by 'File refinements' or 'Sector "
+                               "refinements'"));
       // A file must be read to know whether it is one, a sector be refined to
       // know whether there is anything in it.
       if (mesh_file.is_given() || mesh.n_sector_refinements > 0)

@@ -529,6 +529,17 @@ namespace Tribody
                                "computed anew when its profile has changed by "
                                "this fraction of its wall; gap, normals and "
                                "weights always follow the worn profile.");
+      Parameters::add_choice(
+        prm,
+        "Mesh error estimate",
+        mesh_error_estimate,
+        {"none", "first cycle", "whole run"},
+        "What is also computed on the next coarser mesh (half as many bore "
+        "cells and layers, or one file refinement less) to see what the mesh "
+        "does to the results: the largest pressure and the wear rate of the "
+        "first cycle, or the wear of the whole run too. The dynamics is not "
+        "repeated. The differences, which are larger than the errors, are in "
+        "summary.json.");
     }
 
 

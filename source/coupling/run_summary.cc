@@ -284,6 +284,15 @@ namespace Tribody
             << bushing.mesh_oscillation
             << ", losses of contact in the recorded cycles "
             << joint.contact_losses << std::endl;
+        const Output::MeshError &mesh = bushing.mesh_error;
+        if (mesh.n_coarse_nodes > 0)
+          out << "    mesh: with " << mesh.n_coarse_nodes << " instead of "
+              << mesh.n_nodes
+              << " bore nodes the largest pressure of the first cycle differs "
+                 "by "
+              << 100. * mesh.max_pressure << " %, the maximum depth of "
+              << (mesh.covers_whole_run ? "the run" : "that cycle") << " by "
+              << 100. * mesh.wear_depth << " %" << std::endl;
       }
 
 
@@ -500,6 +509,8 @@ namespace Tribody
                   joint.bushing.max_stable_wear_step = state.max_stable_step;
                   joint.pin       = summarise_pin(bushing, state.totals[b]);
                   joint.clearance = bushing.largest_clearance(bushing.depth());
+                  if (b < state.mesh_errors.size())
+                    joint.bushing.mesh_error = state.mesh_errors[b];
                   summary.compliance_builds += bushing.n_compliance_builds();
                   add_errors(bushing, joint, state.totals[b], summary);
                 }

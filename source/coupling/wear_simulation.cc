@@ -4,9 +4,9 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
-#include <tribody/coupling/constant_jump.h>
 #include <tribody/coupling/elastic_support.h>
-#include <tribody/coupling/implicit_jump.h>
+#include <tribody/coupling/make_jump.h>
+#include <tribody/coupling/mesh_resolution.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
 #include <tribody/multibody/significant_digits.h>
@@ -26,28 +26,6 @@ namespace Tribody
   {
     namespace
     {
-      std::unique_ptr<CycleJump>
-      make_jump(const WearParameters      &parameters,
-                std::list<WearingBushing> &bushings,
-                const StopConditions      &stop_conditions)
-      {
-        if (parameters.extrapolation == "constant")
-          return std::make_unique<ConstantJump>(bushings,
-                                                stop_conditions,
-                                                parameters.cycles_per_step);
-        if (parameters.extrapolation == "one-shot")
-          return std::make_unique<ConstantJump>(
-            bushings,
-            stop_conditions,
-            std::numeric_limits<double>::max(),
-            true);
-        return std::make_unique<ImplicitJump>(bushings,
-                                              stop_conditions,
-                                              parameters.tolerance);
-      }
-
-
-
       // What 'Energy balance = without wear' means here.
       Multibody::DynamicsParameters
       make_dynamics_parameters(const CaseParameters &parameters)
@@ -60,17 +38,39 @@ namespace Tribody
 
 
 
+      // Unworn. If a mesh is to be as fine as the contact wants it, a cycle of
+      // the dynamics says how large that is.
       std::list<WearingBushing>
-      make_bushings(const CaseParameters &parameters,
-                    const MPI_Comm       &communicator)
+      make_bushings(const CaseParameters             &parameters,
+                    const Multibody::CycleSimulation &dynamics,
+                    const MPI_Comm                   &communicator)
       {
         std::list<WearingBushing> bushings;
-        if (parameters.cycles > 0)
-          for (const BushingParameters &bushing : parameters.bushings)
-            bushings.emplace_back(bushing,
-                                  parameters.joint(bushing.name),
+        if (parameters.cycles == 0)
+          return bushings;
+        const bool needs_forces =
+          std::any_of(parameters.bushings.begin(),
+                      parameters.bushings.end(),
+                      [](const BushingParameters &bushing) {
+                        return bushing.mesh.n_contact_nodes > 0;
+                      });
+        Multibody::DutyCycle first_cycle;
+        if (needs_forces)
+          first_cycle = dynamics.run({}, make_unworn_supports(parameters));
+        for (const BushingParameters &bushing : parameters.bushings)
+          {
+            const Multibody::JointParameters &joint =
+              parameters.joint(bushing.name);
+            bushings.emplace_back(needs_forces
+                                    ? resolve_contact_arc(bushing,
+                                                          joint,
+                                                          first_cycle.joint(
+                                                            bushing.name))
+                                    : bushing,
+                                  joint,
                                   parameters.wear.compliance_update,
                                   communicator);
+          }
         return bushings;
       }
 
@@ -89,7 +89,7 @@ namespace Tribody
               dealii::TimerOutput::wall_times)
       , mechanism(parameters.mechanism)
       , dynamics(mechanism, make_dynamics_parameters(parameters))
-      , bushings(make_bushings(parameters, communicator))
+      , bushings(make_bushings(parameters, dynamics, communicator))
       , supports(parameters.cycles == 0
                    ? make_unworn_supports(parameters)
                    : Multibody::CycleSimulation::Supports())
@@ -248,11 +248,13 @@ namespace Tribody
     {
       run_dynamics();
       solve_contacts();
+      start_coarse_run();
       record(recorder);
 
       while (state.cycles < parameters.cycles)
         {
           const int reached = take_wear_step(recorder.next_output());
+          follow_on_coarse_meshes();
           run_dynamics();
           solve_contacts();
           estimate_error();
@@ -269,6 +271,51 @@ namespace Tribody
             }
         }
       return "";
+    }
+
+
+
+    void
+    WearSimulation::start_coarse_run()
+    {
+      if (parameters.wear.mesh_error_estimate == "none" || bushings.empty())
+        return;
+      on_coarse_meshes([this]() {
+        coarse_run = std::make_unique<CoarseRun>(parameters.wear, bushings);
+        coarse_run->start(state, bushings);
+      });
+    }
+
+
+
+    void
+    WearSimulation::follow_on_coarse_meshes()
+    {
+      if (coarse_run != nullptr)
+        on_coarse_meshes(
+          [this]() { coarse_run->follow(state.duty_cycle, state.cycles); });
+    }
+
+
+
+    void
+    WearSimulation::on_coarse_meshes(const std::function<void()> &action)
+    {
+      dealii::TimerOutput::Scope scope(timer, "coarser meshes");
+      try
+        {
+          action();
+          state.mesh_errors = coarse_run->compare(bushings);
+        }
+      catch (const ExcRun &exception)
+        {
+          // The run itself does not need it.
+          coarse_run.reset();
+          state.mesh_errors.clear();
+          console.out() << "WARNING: no estimate of the error of the mesh, as "
+                           "the next coarser one fails: "
+                        << message_of(exception) << std::endl;
+        }
     }
 
 

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <vector>
 
 namespace Tribody
@@ -27,11 +28,23 @@ namespace Tribody
       /// By how much of the radius a vertex of the bore may be off.
       constexpr double roundness = 1e-4;
 
+      /// With six digits: what the file's own digits leave is not of interest.
+      std::string
+      millimetres(const double x)
+      {
+        std::ostringstream out;
+        out << 1e3 * x << " mm";
+        return out.str();
+      }
+
+
+
       std::string
       millimetres(const dealii::Point<2> &x)
       {
-        return "(" + Units::to_string(1e3 * x[0], "", "") + ", " +
-               Units::to_string(1e3 * x[1], "", "") + ") mm";
+        std::ostringstream out;
+        out << '(' << 1e3 * x[0] << ", " << 1e3 * x[1] << ") mm";
+        return out.str();
       }
 
 
@@ -185,14 +198,14 @@ namespace Tribody
         double mean_radius = 0.;
         for (const unsigned int v : bore)
           mean_radius += vertices[v].distance(mean) / bore.size();
-        AssertThrow(std::abs(mean_radius / radius - 1.) < 0.1,
-                    ExcParameter(
-                      path + "/File length unit",
-                      "the bore of '" + file.name + "' has a radius of about " +
-                        Units::to_string(mean_radius, "m", "mm") +
-                        ", the joint's bushing radius is " +
-                        Units::to_string(radius, "m", "mm") +
-                        advise_unit(file.length_unit * radius / mean_radius)));
+        AssertThrow(
+          std::abs(mean_radius / radius - 1.) < 0.1,
+          ExcParameter(path + "/File length unit",
+                       "the bore of '" + file.name +
+                         "' has a radius of about " + millimetres(mean_radius) +
+                         ", the joint's bushing radius is " +
+                         millimetres(radius) +
+                         advise_unit(file.length_unit * radius / mean_radius)));
 
         std::size_t worst = 0;
         const auto  off   = [&](const std::size_t i) {
@@ -201,22 +214,22 @@ namespace Tribody
         for (std::size_t i = 0; i < bore.size(); ++i)
           if (std::abs(off(i)) > std::abs(off(worst)))
             worst = i;
+        // What rounding leaves of a centre is none.
+        for (unsigned int d = 0; d < 2; ++d)
+          if (std::abs(mean[d]) < 1e-9 * radius)
+            mean[d] = 0.;
         AssertThrow(
           std::abs(off(worst)) <= roundness * radius,
-          ExcParameter(path + "/File",
-                       "the bore of '" + file.name +
-                         "' is not the circle of the joint's "
-                         "bushing radius, " +
-                         Units::to_string(radius, "m", "mm") +
-                         ", around the origin: its vertex at " +
-                         millimetres(vertices[bore[worst]]) + " lies " +
-                         Units::to_string(std::abs(off(worst)), "m", "um") +
-                         (off(worst) > 0. ? " outside" : " inside") +
-                         " of it; the mean "
-                         "of its vertices is " +
-                         millimetres(mean) +
-                         ", their mean distance from there " +
-                         Units::to_string(mean_radius, "m", "mm")));
+          ExcParameter(
+            path + "/File",
+            "the bore of '" + file.name +
+              "' is not the circle of the joint's bushing radius, " +
+              millimetres(radius) + ", around the origin: its vertex at " +
+              millimetres(vertices[bore[worst]]) + " lies " +
+              millimetres(std::abs(off(worst))) +
+              (off(worst) > 0. ? " outside" : " inside") +
+              " of it; the centre of its vertices is " + millimetres(mean) +
+              ", their mean distance from there " + millimetres(mean_radius)));
 
         std::map<unsigned int, dealii::Point<2>> on_circle;
         for (const unsigned int v : bore)

@@ -114,6 +114,28 @@ namespace Tribody
 
 
 
+      // What the mesh does to the bushings, as far as it is known.
+      Json
+      mesh_errors_to_json(const std::vector<JointSummary> &joints)
+      {
+        Json json = Json::object();
+        for (const JointSummary &joint : joints)
+          {
+            const MeshError &error = joint.bushing.mesh_error;
+            if (error.n_coarse_nodes > 0)
+              json[joint.name] = {
+                {"max_pressure_relative", error.max_pressure},
+                {"max_wear_depth_relative", error.wear_depth},
+                {"bore_nodes", error.n_nodes},
+                {"compared_with_bore_nodes", error.n_coarse_nodes},
+                {"depth_covers",
+                 error.covers_whole_run ? "whole run" : "first cycle"}};
+          }
+        return json;
+      }
+
+
+
       Json
       dynamics_to_json(const RunSummary &summary)
       {
@@ -176,7 +198,8 @@ namespace Tribody
         {"error_estimate",
          {{"max_wear_depth_relative", summary.max_wear_depth_relative_error},
           {"worn_volume_relative", summary.worn_volume_relative_error},
-          {"covers", "wear steps"}}}};
+          {"covers", "wear steps"},
+          {"mesh", mesh_errors_to_json(summary.joints)}}}};
       for (const JointSummary &joint : summary.joints)
         json["joints"][joint.name] =
           joint_to_json(joint, summary.dynamics.has_energy);

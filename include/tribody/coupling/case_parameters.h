@@ -34,6 +34,8 @@ namespace Tribody
       /// Change of the profile, as a fraction of the wall, after which the
       /// compliance is computed anew [-].
       double compliance_update = 0.005;
+      /// "none", "first cycle" or "whole run".
+      std::string mesh_error_estimate = "first cycle";
 
       /// Declares in the current subsection, "Wear".
       void

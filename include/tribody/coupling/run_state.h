@@ -3,6 +3,7 @@
 
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/multibody/duty_cycle.h>
+#include <tribody/output/summary.h>
 
 #include <array>
 #include <string>
@@ -59,6 +60,8 @@ namespace Tribody
       bool                      all_settled      = true;
       /// What the first duty cycle that did not go as wished has to say.
       std::string settling_message;
+      /// What the meshes do to the results; empty if nobody asked.
+      std::vector<Output::MeshError> mesh_errors;
       /// Cycles up to which an explicit wear step is stable.
       double max_stable_step = 0.;
     };

@@ -5,6 +5,7 @@
 
 #include <tribody/base/console.h>
 #include <tribody/coupling/case_parameters.h>
+#include <tribody/coupling/coarse_run.h>
 #include <tribody/coupling/cycle_jump.h>
 #include <tribody/coupling/run_recorder.h>
 #include <tribody/coupling/run_state.h>
@@ -15,6 +16,7 @@
 #include <tribody/output/summary.h>
 
 #include <exception>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mpi.h>
@@ -87,6 +89,18 @@ namespace Tribody
       int
       take_wear_step(const double end);
 
+      /// Compare the first cycle with that on coarser meshes.
+      void
+      start_coarse_run();
+
+      /// Let the bushings on coarser meshes wear as far as the others have.
+      void
+      follow_on_coarse_meshes();
+
+      /// Do this, or say why it cannot be done and go on without.
+      void
+      on_coarse_meshes(const std::function<void()> &action);
+
       /// Add up what the last wear step has left of error, now that the rates
       /// at its end are known.
       void
@@ -122,6 +136,7 @@ namespace Tribody
       RunState                             state;
       StopConditions                       stop_conditions;
       std::unique_ptr<CycleJump>           jump;
+      std::unique_ptr<CoarseRun>           coarse_run;
       bool                                 unstable_step_reported = false;
     };
   } // namespace Coupling

@@ -29,7 +29,7 @@ namespace Tribody
       /// "circle" or "ellipse".
       std::string kind = "circle";
       /// c [m].
-      dealii::Point<2> centre;
+      dealii::Point<2> centre = dealii::Point<2>();
       /// b [m] of an ellipse.
       double second_semi_axis = 0.;
 

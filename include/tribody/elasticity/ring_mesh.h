@@ -29,13 +29,20 @@ namespace Tribody
       unsigned int n_radial_cells = 6;
       /// Grading from the bore outward [-]; 0 makes all layers equally thick.
       double grading = 1.5;
+      /// Nodes in the arc of contact that the mesh is to have, whatever the
+      /// numbers of cells; 0: these decide. Whoever knows the forces heeds it.
+      unsigned int n_contact_nodes = 0;
       /// How often the cells near the bore in a sector are divided in four.
       unsigned int n_sector_refinements = 0;
       /// Where that sector begins and ends, counter-clockwise [rad].
-      dealii::Point<2> sector;
+      dealii::Point<2> sector = dealii::Point<2>();
 
       void
       add_parameters(dealii::ParameterHandler &prm);
+
+      /// Thickness of the innermost of @p n layers, as a fraction of the wall.
+      double
+      innermost_layer(const unsigned int n) const;
 
       /// @param path of the subsection, for the message.
       /// @throws ExcParameter for a value that cannot be meshed.

@@ -19,6 +19,20 @@ namespace Tribody
       double worn_mass = 0.;
     };
 
+    /// How much a result changes from the next coarser mesh to the one that was
+    /// used, relative [-].
+    struct MeshError
+    {
+      /// Bore nodes of both meshes; 0: there is no estimate.
+      unsigned int n_nodes        = 0;
+      unsigned int n_coarse_nodes = 0;
+      /// Of the largest pressure of the first cycle.
+      double max_pressure = 0.;
+      /// Of the maximum depth: worn in the whole run, or in the first cycle.
+      double wear_depth       = 0.;
+      bool   covers_whole_run = false;
+    };
+
     /// What a run says of one bushing; SI units, angles in the bushing's frame.
     struct BushingSummary
     {
@@ -35,6 +49,7 @@ namespace Tribody
       double     crescent_max_wear_depth = 0.;
       double     crescent_worn_volume    = 0.;
       double     max_stable_wear_step    = 0.; ///< [cycles]
+      MeshError  mesh_error;
       Comparison comparison;
     };
 
