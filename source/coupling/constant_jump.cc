@@ -50,13 +50,13 @@ namespace Tribody
       const auto depths_after = [&](const double n_cycles) {
         std::vector<Eigen::VectorXd> depths;
         for (const WearingBushing &bushing : bushings)
-          depths.push_back(bushing.depth() +
-                           n_cycles * used_contacts[depths.size()].wear_rate);
+          depths.push_back(bushing.depth_after_removing(
+            n_cycles * used_contacts[depths.size()].removed_area));
         return depths;
       };
 
-      // Within an explicit step the depth is linear in the cycles: the moment
-      // at which a limit is passed is a root of one number.
+      // Within an explicit step the removed area is linear in the cycles: the
+      // moment at which a limit is passed is a root of one number.
       last_step   = extrapolation.next_step(state.cycles, end);
       int reached = -1;
       for (unsigned int i = 0; i < stop_conditions.n_conditions(); ++i)

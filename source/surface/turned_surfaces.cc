@@ -100,7 +100,10 @@ namespace Tribody
           chosen.insertBack(entry.row(), k) = entry.value();
       }
     chosen.finalize();
-    return mixed * chosen;
+    Matrix P = mixed * chosen;
+    for (Eigen::Index k = 0; k < P.cols(); ++k)
+      P.col(k) /= P.col(k).sum();
+    return P;
   }
 
 

@@ -32,7 +32,8 @@ namespace Tribody
     to_bore(const Eigen::VectorXd &at_pin) const;
 
     /// The columns of P that belong to the bore's @p nodes, to 1e-4 of their
-    /// largest entry: for Jacobians.
+    /// largest entry, for Jacobians. They add up to one to rounding: Newton's
+    /// steps keep the balance of what leaves the bore and arrives at the pin.
     Eigen::SparseMatrix<double>
     columns(const std::vector<Eigen::Index> &nodes) const;
 
