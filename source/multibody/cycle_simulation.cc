@@ -154,7 +154,9 @@ namespace Tribody
       for (const ClearanceJoint &joint : mechanism.clearance_joints())
         {
           const auto found = by_name.find(joint.name);
-          supports.push_back(found == by_name.end() ? nullptr : found->second);
+          const bool has_support =
+            found != by_name.end() && needs_support(joint.contact_law);
+          supports.push_back(has_support ? found->second : nullptr);
           AssertThrow(supports.back() != nullptr ||
                         !needs_support(joint.contact_law),
                       ExcParameter("Joint " + joint.name + "/Contact force law",
