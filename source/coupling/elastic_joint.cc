@@ -3,6 +3,7 @@
 
 #include <tribody/coupling/elastic_joint.h>
 #include <tribody/elasticity/pin_elasticity.h>
+#include <tribody/elasticity/pressure_models.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/elasticity/stress_postprocessor.h>
 #include <tribody/output/bushing_vtu.h>
@@ -42,7 +43,9 @@ namespace Tribody
     ElasticJoint::ElasticJoint(const BushingParameters          &parameters,
                                const Multibody::JointParameters &joint,
                                const double compliance_update)
-      : allowed_change(compliance_update *
+      : pressure_model(parameters.pressure_model)
+      , outer_radius(parameters.outer_radius)
+      , allowed_change(compliance_update *
                        (parameters.outer_radius - joint.bushing_radius))
       , triangulation(make_mesh(parameters, joint))
       , geometry(triangulation, parameters.element_degree, parameters.name)
@@ -56,6 +59,11 @@ namespace Tribody
     {
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
+      if (pressure_model == "infinite plate")
+        plate_compliance =
+          Elasticity::infinite_plate_compliance(surface,
+                                                elasticity.hooke(),
+                                                outer_radius);
       update_compliance();
     }
 
@@ -101,11 +109,7 @@ namespace Tribody
     ElasticJoint::update_compliance()
     {
       elasticity.reinit(geometry.mapping());
-      joint_compliance =
-        elasticity.normal_compliance(surface.normals,
-                                     depth.isZero(0.)
-                                       ? Elasticity::RingSymmetry::cells_alike
-                                       : Elasticity::RingSymmetry::none);
+      joint_compliance = bushing_compliance();
       if (has_elastic_pin())
         {
           const Eigen::MatrixXd P =
@@ -114,6 +118,23 @@ namespace Tribody
         }
       depth_at_compliance = depth;
       ++n_builds;
+    }
+
+
+
+    Eigen::MatrixXd
+    ElasticJoint::bushing_compliance() const
+    {
+      if (pressure_model == "infinite plate")
+        return plate_compliance;
+      if (pressure_model == "Winkler layer")
+        return Elasticity::winkler_compliance(surface,
+                                              elasticity.hooke(),
+                                              outer_radius);
+      return elasticity.normal_compliance(
+        surface.normals,
+        depth.isZero(0.) ? Elasticity::RingSymmetry::cells_alike
+                         : Elasticity::RingSymmetry::none);
     }
 
 

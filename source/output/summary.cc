@@ -56,6 +56,7 @@ namespace Tribody
             json["pin"]             = {{"max_wear_depth_m", 0.},
                                        {"worn_volume_m3", 0.},
                                        {"worn_mass_kg", 0.}};
+            json["pressure_model"]  = joint.bushing.pressure_model;
             json["max_pressure_Pa"] = joint.bushing.max_pressure;
             json["contact_half_angle_deg"] =
               Units::degrees(joint.bushing.contact_half_angle);

@@ -48,6 +48,8 @@ namespace Tribody
       double outer_radius = 16e-3;
       /// "plane strain" or "plane stress".
       std::string plane_state = "plane strain";
+      /// "finite element", "infinite plate" or "Winkler layer".
+      std::string pressure_model = "finite element";
       /// Polynomial degree of the elements.
       unsigned int element_degree = 2;
       /// How finely it is meshed.
