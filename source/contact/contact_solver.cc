@@ -73,7 +73,7 @@ namespace Tribody
           Iterate untouched;
           untouched.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
           evaluate_gap(untouched, Rows::all);
-          if (untouched.gap.minCoeff() >= 0.)
+          if (untouched.gap.minCoeff() >= -untouched.gap_tolerance)
             return make_solution(untouched, {true, 0, 0., ""});
         }
 

@@ -40,6 +40,19 @@ namespace Tribody
         "along its axis; plane stress for a thin one.");
       Parameters::add_choice(
         prm,
+        "Pressure model",
+        pressure_model,
+        {"finite element", "infinite plate", "Winkler layer"},
+        "How the bushing gives way to the pin: 'finite element' is the meshed "
+        "ring; 'infinite plate' the hole in a plate without an end (with an "
+        "elastic pin of the same material: Persson's closed form), in which "
+        "the outer radius only concerns the pin's place; 'Winkler layer' a "
+        "layer as thick as the wall that yields to the pressure of each place "
+        "alone, u = p t (1+nu)(1-2nu)/(E(1-nu)) in plane strain. The last two "
+        "are there to be compared with; everything else, and the stresses in "
+        "the VTU files, is computed as ever.");
+      Parameters::add_choice(
+        prm,
         "Pin",
         pin,
         {"automatic", "rigid", "elastic"},

@@ -4,6 +4,7 @@
 #include <tribody/coupling/bushing_mesh.h>
 #include <tribody/coupling/elastic_joint.h>
 #include <tribody/elasticity/pin_elasticity.h>
+#include <tribody/elasticity/pressure_models.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/elasticity/stress_postprocessor.h>
 #include <tribody/output/bushing_vtu.h>
@@ -48,6 +49,8 @@ namespace Tribody
                                const double    compliance_update,
                                const MPI_Comm &communicator)
       : communicator(communicator)
+      , pressure_model(parameters.pressure_model)
+      , outer_radius(parameters.outer_radius)
       , cells_are_alike(parameters.cells_are_alike())
       , triangulation(make_bushing_mesh(parameters, joint.bushing_radius))
       , allowed_change(
@@ -65,6 +68,11 @@ namespace Tribody
     {
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
+      if (pressure_model == "infinite plate")
+        plate_compliance =
+          Elasticity::infinite_plate_compliance(surface,
+                                                elasticity.hooke(),
+                                                outer_radius);
       update_compliance();
     }
 
@@ -113,12 +121,7 @@ namespace Tribody
     ElasticJoint::update_compliance()
     {
       elasticity.reinit(geometry.mapping());
-      joint_compliance =
-        elasticity.normal_compliance(surface.normals,
-                                     cells_are_alike && depth.isZero(0.)
-                                       ? Elasticity::RingSymmetry::cells_alike
-                                       : Elasticity::RingSymmetry::none,
-                                     communicator);
+      joint_compliance = bushing_compliance();
       if (has_elastic_pin())
         {
           const Eigen::MatrixXd P =
@@ -127,6 +130,25 @@ namespace Tribody
         }
       depth_at_compliance = depth;
       ++n_builds;
+    }
+
+
+
+    Eigen::MatrixXd
+    ElasticJoint::bushing_compliance() const
+    {
+      if (pressure_model == "infinite plate")
+        return plate_compliance;
+      if (pressure_model == "Winkler layer")
+        return Elasticity::winkler_compliance(surface,
+                                              elasticity.hooke(),
+                                              outer_radius);
+      return elasticity.normal_compliance(
+        surface.normals,
+        cells_are_alike && depth.isZero(0.)
+          ? Elasticity::RingSymmetry::cells_alike
+          : Elasticity::RingSymmetry::none,
+        communicator);
     }
 
 

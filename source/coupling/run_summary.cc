@@ -72,6 +72,7 @@ namespace Tribody
         summary.worn_volume    = bushing.worn_volume();
         summary.worn_mass =
           summary.worn_volume * joint.bushing_material.density;
+        summary.pressure_model     = parameters.pressure_model;
         summary.max_pressure       = contact.max_pressure;
         summary.contact_half_angle = contact.at_peak_force().half_angle;
         summary.mesh_oscillation   = Wear::mesh_oscillation(contact.wear_rate);
@@ -244,7 +245,8 @@ namespace Tribody
             << Units::degrees(bushing.max_wear_angle) << " deg, volume "
             << bushing.worn_volume * 1e9 << " mm^3, mass "
             << bushing.worn_mass * 1e3 << " g" << std::endl
-            << "    contact: largest pressure " << bushing.max_pressure * 1e-6
+            << "    contact (" << bushing.pressure_model
+            << "): largest pressure " << bushing.max_pressure * 1e-6
             << " MPa, half-angle at the largest force "
             << Units::degrees(bushing.contact_half_angle) << " deg"
             << std::endl;

@@ -166,7 +166,9 @@ namespace Tribody
                               const double                         pin_radius,
                               const Eigen::Vector2d &force_per_length)
     {
-      constexpr unsigned int max_iterations = 50;
+      // The contact may shrink by as little as a node at each end per
+      // iteration.
+      const unsigned int max_iterations = 50 + surface.n_nodes() / 2;
       // What the condition of the whole stiffness leaves of a step.
       constexpr double   tolerance = 1e-10;
       const Eigen::Index n         = surface.n_nodes();

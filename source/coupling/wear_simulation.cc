@@ -125,6 +125,8 @@ namespace Tribody
         out << "Bushing " << bushing.name() << ": "
             << bushing.node_angles().size() << " bore nodes, clearance "
             << 1e3 * bushing.clearance_profile().mean() << " mm, "
+            << bushing.bushing_parameters().pressure_model
+            << " pressure model, "
             << (bushing.has_elastic_pin() ? "elastic" : "rigid")
             << " pin (modulus "
             << Multibody::significant_digits(

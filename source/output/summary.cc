@@ -73,6 +73,7 @@ namespace Tribody
           {
             json["bushing"]         = bushing_to_json(joint.bushing);
             json["pin"]             = pin_to_json(joint.pin);
+            json["pressure_model"]  = joint.bushing.pressure_model;
             json["max_pressure_Pa"] = joint.bushing.max_pressure;
             json["contact_half_angle_deg"] =
               Units::degrees(joint.bushing.contact_half_angle);

@@ -2,22 +2,25 @@
 //
 // Persson (1964): a disc in the hole of an infinite plate of the same material
 // (reference/persson.csv of the project, four digits): half-angle within 0.3
-// degrees, peak pressure and integral of the pressure within 0.3 %. The plate
-// here ends at 100 radii, which leaves 1e-4; the clearance is 1e-4 of the
-// radius, and so is what the theory neglects. With half as many cells the
-// half-angles are read to 0.6 degrees only (node distance 2 degrees), so that
-// the sum of errors is larger. The pin is turned by 0.3 rad against the
-// bushing, or not: its nodes then lie elsewhere, the pressure must not change
-// by more than 0.1 % of the peak away from the edge of contact.
+// degrees, peak pressure and integral of the pressure within 0.3 % (persson_01
+// shows how they converge). The plate here ends at 100 radii, which leaves
+// 1e-4; the clearance is 1e-5 of the radius, and so is what the theory
+// neglects. The pin is turned by 0.3 rad against the bushing, or not: its nodes
+// then lie elsewhere, the pressure must not change by more than 0.1 % of the
+// peak away from the edge of contact.
 //
-// Hertz: the same with E' dR/Q = 1000, half-angle 3 degrees: peak within 0.5 %
-// (the next term of the series is 0.1 %). The width is read from the pressures
-// to a node distance of 0.25 degrees, 8 % of it.
+// Hertz: the same with E' dR/Q = 1000, half-angle 3 degrees on 1440 bore nodes:
+// peak and width within 0.5 %, in the mean over eight directions within a cell
+// and for the worst. What Hertz neglects is of the order (a/R)^2 = 0.3 %: the
+// exact solution (doc/persson.py) has a peak 0.10 % above and a half-angle
+// 0.07 % below his.
 //
 // A thin bonded layer (0.3 % of the radius) under a rigid pin is a Winkler
 // foundation of stiffness k = E (1-nu)/((1+nu)(1-2 nu) t): p = k (d cos t - c)
 // on cos t > c/d, so that F = k R (d (t + sin t cos t) - 2 c sin t) per length.
-// Within 1 %; the theory neglects t/R times a number of order one.
+// Within 1 %; the theory neglects t/R times a number of order one. There the
+// gap opens linearly, which the reading of half-angles does not assume: it is
+// right to a node distance, 0.25 degrees.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q.h>
@@ -101,8 +104,8 @@ solve_persson(const Bushing         &bushing,
               const double           stiffness_ratio,
               double                &load)
 {
-  const double clearance = (stiffness_ratio == 0.) ? 0. : 1e-4 * R;
-  load                   = (stiffness_ratio == 0.) ? 1e-4 * plane_modulus * R
+  const double clearance = (stiffness_ratio == 0.) ? 0. : 1e-5 * R;
+  load                   = (stiffness_ratio == 0.) ? 1e-5 * plane_modulus * R
                                                    : plane_modulus * clearance / stiffness_ratio;
   Contact::ContactSolver solver(bushing.surface, compliance, R - clearance);
   return solver.solve_force_controlled({load, 0.});
@@ -126,7 +129,6 @@ check_persson(const unsigned int n_cells)
 
   std::cout << "Persson, " << bushing.surface.n_nodes() << " bore nodes"
             << std::endl;
-  double sum_of_errors = 0.;
   for (const PerssonRow &row : persson)
     {
       double     load;
@@ -145,7 +147,6 @@ check_persson(const unsigned int n_cells)
         if (s.pressure[i] > 0.5 * peak)
           difference =
             std::max(difference, std::abs(turned.pressure[i] - s.pressure[i]));
-      sum_of_errors += std::abs(peak_error) + std::abs(half_angle_error);
       std::cout << "  E' dR/Q = " << row.stiffness_ratio << ": converged "
                 << s.report.converged << turned.report.converged
                 << ", half-angle off by " << half_angle_error
@@ -157,7 +158,6 @@ check_persson(const unsigned int n_cells)
                 << ", turned pin: pressure differs by "
                 << 100. * difference / peak << " % of the peak" << std::endl;
     }
-  std::cout << "  sum of errors " << sum_of_errors << std::endl;
 }
 
 void
@@ -170,17 +170,28 @@ check_hertz()
   const double           clearance  = 1e-3 * R;
   const double           load       = 1e-3 * plane_modulus * clearance;
   Contact::ContactSolver solver(bushing.surface, compliance, R - clearance);
-  const auto             s = solver.solve_force_controlled({load, 0.});
-  const double a  = std::sqrt(4. * load * R * (R - clearance) / clearance /
+  const double a    = std::sqrt(4. * load * R * (R - clearance) / clearance /
                              (M_PI * 0.5 * plane_modulus));
-  const double p0 = 2. * load / (M_PI * a);
-  const double peak_error =
-    100. * (Contact::peak_pressure(s, bushing.surface) / p0 - 1.);
-  const double width_error = 100. * (s.half_angle * R / a - 1.);
-  std::cout << "Hertz: converged " << s.report.converged << ", half-angle "
-            << 180. / M_PI * s.half_angle << " deg, peak off by " << peak_error
-            << " %, width by " << width_error << " %, peak within 0.5 % "
-            << (std::abs(peak_error) < 0.5) << std::endl;
+  const double p0   = 2. * load / (M_PI * a);
+  double       peak = 0., width = 0., worst = 0.;
+  bool         converged = true;
+  for (unsigned int k = 0; k < 8; ++k)
+    {
+      const double angle = 2. * M_PI / 720 * (k + 0.5) / 8;
+      const auto   s     = solver.solve_force_controlled(
+        load * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+      const double peak_error =
+        100. * (Contact::peak_pressure(s, bushing.surface) / p0 - 1.);
+      const double width_error = 100. * (s.half_angle * R / a - 1.);
+      peak += peak_error / 8;
+      width += width_error / 8;
+      worst = std::max({worst, std::abs(peak_error), std::abs(width_error)});
+      converged = converged && s.report.converged;
+    }
+  std::cout << "Hertz: converged " << converged << ", half-angle "
+            << 180. / M_PI * a / R << " deg, peak off by " << peak
+            << " %, width by " << width << " %, all within 0.5 % "
+            << (worst < 0.5) << std::endl;
 }
 
 void
@@ -223,7 +234,6 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::cout << std::fixed << std::setprecision(3);
-  check_persson(90);
   check_persson(180);
   check_hertz();
   check_bonded_layer();

@@ -258,7 +258,7 @@ check_extremes()
     }
 }
 
-/// Half-angle and peak of pressures that are known.
+/// Half-angle and peak of pressures and gaps that are known (Hertz).
 void
 check_reading()
 {
@@ -267,6 +267,7 @@ check_reading()
     {
       ContactSolution s;
       s.pressure = Eigen::VectorXd::Zero(n_nodes);
+      s.gap      = Eigen::VectorXd::Zero(n_nodes);
       for (Eigen::Index i = 0; i < n_nodes; ++i)
         {
           // Centred between two nodes.
@@ -274,6 +275,9 @@ check_reading()
           s.pressure[i]      = std::sqrt(std::max(0., 1. - angle * angle));
           if (s.pressure[i] > 0.)
             s.active_set.push_back(i);
+          else
+            s.gap[i] = std::abs(angle) * std::sqrt(angle * angle - 1.) -
+                       std::acosh(std::abs(angle));
         }
       const double peak                = peak_pressure(s, bore);
       s.pressure[s.active_set.front()] = 3.;

@@ -43,10 +43,12 @@ make_mesh(const unsigned int        n,
 }
 
 void
-compare(const unsigned int degree, const double depth)
+compare(const unsigned int degree,
+        const double       depth,
+        const unsigned int n_cells = 90)
 {
   dealii::Triangulation<2> triangulation;
-  make_mesh(90, a, triangulation);
+  make_mesh(n_cells, a, triangulation);
   Geometry::WornConfiguration worn(triangulation, degree, "crank_pin");
   // What a pin 5 um smaller than the bore wears when it is pushed to 0.3 rad.
   worn.update(
@@ -131,6 +133,8 @@ main(int argc, char **argv)
   for (unsigned int degree = 1; degree <= 2; ++degree)
     for (const double depth : {0., 0.3e-3})
       compare(degree, depth);
+  // More iterations than a fixed small number.
+  compare(2, 0., 180);
   const double coarse = even_wear_difference(30);
   const double fine   = even_wear_difference(60);
   // Differing by the mesh only: quadratic elements, energy at rate 4.

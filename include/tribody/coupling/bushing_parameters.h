@@ -55,6 +55,8 @@ namespace Tribody
       Elasticity::RimSupport rim_support;
       /// "plane strain" or "plane stress".
       std::string plane_state = "plane strain";
+      /// "finite element", "infinite plate" or "Winkler layer".
+      std::string pressure_model = "finite element";
       /// Polynomial degree of the elements.
       unsigned int element_degree = 2;
       /// How finely it is meshed.

@@ -26,6 +26,7 @@ namespace Tribody
      * nodes. If the pin is elastic, its compliance is added to that of the
      * bore, @f$ C = C_b + P^T C_p P @f$ with P of make_turned_interpolation().
      * A round pin looks the same from all sides, so that P needs no angle.
+     * With another pressure model, C_b is that of the closed form.
      */
     class ElasticJoint
     {
@@ -103,7 +104,12 @@ namespace Tribody
       void
       update_compliance();
 
-      MPI_Comm communicator;
+      Eigen::MatrixXd
+      bushing_compliance() const;
+
+      MPI_Comm    communicator;
+      std::string pressure_model;
+      double      outer_radius;
       /// Of the unworn bushing.
       bool                     cells_are_alike;
       dealii::Triangulation<2> triangulation;
@@ -112,6 +118,8 @@ namespace Tribody
       Geometry::WornConfiguration   geometry;
       Elasticity::BushingElasticity elasticity;
 
+      /// Of the hole in an infinite plate; empty with other pressure models.
+      Eigen::MatrixXd plate_compliance;
       /// Of the elastic pin; empty if it is rigid.
       BoreSurface     pin_surface;
       Eigen::MatrixXd pin_compliance;

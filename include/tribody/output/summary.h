@@ -36,14 +36,16 @@ namespace Tribody
     /// What a run says of one bushing; SI units, angles in the bushing's frame.
     struct BushingSummary
     {
-      double max_wear_depth                = 0.;
-      double max_wear_angle                = 0.; ///< [rad]
-      double worn_volume                   = 0.;
-      double worn_mass                     = 0.;
-      double max_pressure                  = 0.;
-      double contact_half_angle            = 0.; ///< [rad]
-      double mesh_oscillation              = 0.; ///< of the wear rate [-]
-      double volume_balance_relative_error = 0.;
+      double max_wear_depth = 0.;
+      double max_wear_angle = 0.; ///< [rad]
+      double worn_volume    = 0.;
+      double worn_mass      = 0.;
+      /// How the bushing gives way to the pin.
+      std::string pressure_model;
+      double      max_pressure                  = 0.;
+      double      contact_half_angle            = 0.; ///< [rad]
+      double      mesh_oscillation              = 0.; ///< of the wear rate [-]
+      double      volume_balance_relative_error = 0.;
       /// The closed form, where it applies; else zero.
       double     crescent_normal_force   = 0.;
       double     crescent_max_wear_depth = 0.;
