@@ -5,8 +5,10 @@
 // - the bore follows a prescribed wear depth, the rim stays;
 // - what is gone from the ring is what the bore curve has gained in area: both
 //   integrate the same polynomials exactly; also with hanging nodes;
-// - a uniform depth h extends as w = (A r + B/r) e_r, w(a) = h, w(b) = 0, whose
-//   components are harmonic: rates p + 1 in L2;
+// - a uniform depth h extends as w = h (b - r)/(b - a) e_r, up to the part of
+// the
+//   diffusion that is not along rays (1e-6): rates p + 1 in L2 before that
+//   shows;
 // - returning to zero leaves no trace;
 // - more wear than wall is refused, and the shape stays what it was.
 
@@ -112,8 +114,7 @@ public:
   double
   value(const dealii::Point<2> &x, const unsigned int component) const override
   {
-    return depth * a / (b * b - a * a) * (b * b / x.norm_square() - 1.) *
-           x[component];
+    return depth * (b / x.norm() - 1.) / (b - a) * x[component];
   }
 
   double depth;

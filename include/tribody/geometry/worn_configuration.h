@@ -12,6 +12,7 @@
 
 #include <tribody/surface/bore_nodes.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,12 +26,17 @@ namespace Tribody
     /**
      * The shape of a worn bushing: the as-manufactured mesh, moved by a
      * displacement w that removes the wear depth h from the bore,
-     * @f[ \Delta w = 0, \qquad
+     * @f[ \nabla\cdot(K \nabla w) = 0, \qquad K = e_r e_r^T / r, \qquad
      *     w(x_i) = h_i\,x_i/|x_i| \text{ in the bore}, \qquad
      *     w = 0 \text{ at the rim}, @f]
-     * and offered as a mapping of the mesh. It is always rebuilt from the total
-     * depth, so nothing drifts. This displacement has nothing to do with the
-     * elastic one.
+     * and offered as a mapping of the mesh. Diffusion along rays alone makes w
+     * linear in r on each of them: for a rim at the radius b, the wall of
+     * thickness t = b - a is compressed evenly to t - h. Cells stay as they
+     * should up to the whole wall, however narrow the worn arc; a harmonic w
+     * turns them inside out where h varies over less than the wall
+     * (doc/decisions.md, "The mesh of a worn bushing"). w is always rebuilt
+     * from the total depth, so nothing drifts. This displacement has nothing to
+     * do with the elastic one.
      *
      * MappingQEulerian moves straight-sided cells. To keep bore and rim round,
      * its vector holds the curvature as well as the wear: it is the position
@@ -93,6 +99,15 @@ namespace Tribody
       double
       area() const;
 
+      /// How much of its size the mesh keeps where it is compressed most: the
+      /// smallest ratio [-] of the mapping's Jacobian to that of the
+      /// straight-sided cell, at quadrature points and nodes; 1 - h/t.
+      double
+      min_jacobian_ratio() const
+      {
+        return smallest_ratio(mesh_displacement).value;
+      }
+
       /// The displacement w [m] by wear alone, for output.
       const dealii::Vector<double> &
       wear_displacement() const
@@ -107,6 +122,15 @@ namespace Tribody
       }
 
     private:
+      struct JacobianRatio
+      {
+        double           value = std::numeric_limits<double>::max();
+        dealii::Point<2> cell_centre;
+      };
+
+      JacobianRatio
+      smallest_ratio(const dealii::Vector<double> &displacement) const;
+
       /// Area that each quadrature point stands for [m^2].
       std::vector<double>
       area_elements() const;
@@ -127,8 +151,8 @@ namespace Tribody
       dealii::AffineConstraints<double>      hanging_nodes;
       dealii::AffineConstraints<double>      fixed_boundary;
       BoreNodes                              nodes;
-      dealii::TrilinosWrappers::SparseMatrix laplace;
-      dealii::TrilinosWrappers::SparseMatrix constrained_laplace;
+      dealii::TrilinosWrappers::SparseMatrix extension;
+      dealii::TrilinosWrappers::SparseMatrix constrained_extension;
       std::unique_ptr<DirectSolver>          solver;
 
       /// Manifold minus straight-sided cells.
