@@ -61,11 +61,16 @@ namespace Tribody
                                     parameters.contact_solver);
 
       // Neighbouring samples differ little, and the same sample on a similar
-      // bore differs less.
+      // bore differs less; but a cycle before may have had fewer samples: where
+      // the motion does not settle, several cycles are recorded as one.
+      const bool has_similar_samples =
+        similar != nullptr &&
+        similar->samples.size() ==
+          static_cast<std::size_t>(cycle.normal_force.size());
       for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
         {
           const Contact::ContactSolution *start = nullptr;
-          if (similar != nullptr)
+          if (has_similar_samples)
             start = &similar->samples[j];
           else if (j > 0)
             start = &contact.samples.back();
