@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Draws the curves of a run: forces, worn profiles, wear against cycles.
+"""Draws the curves of a run: forces, contact angles, worn profiles, wear.
 
     doc/plot_results.py OUTPUT_DIR [JOINT ...] -o results.png
 
 A row for each joint (default: all), with what there is of it: the joint force
-against the crank angle, the worn profile against the angle in the bushing
-frame, depth and volume against cycles. The picture's format follows its name
+and the angle of contact in the bushing frame against the crank angle, the worn
+profile (and, dashed, that of a pin that wears, in its own frame), depth and
+volume against cycles. --compare draws a second run, dotted, into the last
+panel. The picture's format follows its name
 (.png, .pdf, .svg). Needs Matplotlib: apt-get install python3-matplotlib
 """
 
@@ -23,6 +25,7 @@ try:
 
     matplotlib.use("Agg")
     from matplotlib import pyplot
+    from PIL import Image
 except ImportError as error:
     # The first python3 of the path need not be the one that apt installs for.
     system_python = "/usr/bin/python3"
@@ -115,23 +118,60 @@ def colours_for(pairs):
     return [colours(0.9 * i / max(len(pairs) - 1, 1)) for i in range(len(pairs))]
 
 
-def draw_force(axes, run, joint):
+def first_and_last_cycle(run, joint):
+    """Label, table, file, colour and line width of the cycles to draw."""
     pairs = numbered_files(os.path.join(run.output_dir, joint), "duty_cycle")
     pairs = [pairs[0], pairs[-1]] if len(pairs) > 2 else pairs
     # The first line is the wider one: it stays visible where the two coincide.
     styles = [("0.7", 3.0), ("C3", 1.2)][-len(pairs) :]
-    for (number, file_name), (colour, width) in zip(pairs, styles):
-        table = read_csv(file_name)
+    return [
+        (run.label(number), read_csv(file_name), file_name, colour, width)
+        for (number, file_name), (colour, width) in zip(pairs, styles)
+    ]
+
+
+def label_crank_angle(axes):
+    axes.set_xlim(0, 360)
+    axes.set_xticks(range(0, 361, 90))
+    axes.set_xlabel("crank angle [deg]")
+
+
+def draw_force(axes, run, joint):
+    for label, table, file_name, colour, width in first_and_last_cycle(run, joint):
         name = "force [N]" if "force [N]" in table else "normal_force [N]"
         force = column(table, name, file_name)
         phase = column(table, "phase [deg]", file_name)
-        axes.plot(phase, force, color=colour, linewidth=width, label=run.label(number))
-    axes.set_xlim(0, 360)
-    axes.set_xticks(range(0, 361, 90))
+        axes.plot(phase, force, color=colour, linewidth=width, label=label)
+    label_crank_angle(axes)
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("crank angle [deg]")
     axes.set_ylabel("joint force [N]")
     axes.legend(frameon=False, fontsize="small")
+
+
+def has_contact_angle(run, joint):
+    """Joints with clearance have one."""
+    pairs = numbered_files(os.path.join(run.output_dir, joint), "duty_cycle")
+    return bool(pairs) and "contact_angle_bushing [deg]" in read_csv(pairs[0][1])
+
+
+def draw_contact_angle(axes, run, joint):
+    for label, table, file_name, colour, width in first_and_last_cycle(run, joint):
+        phase = column(table, "phase [deg]", file_name)
+        angle = column(table, "contact_angle_bushing [deg]", file_name).copy()
+        # Nothing is drawn where the pin flies, nor across 360 deg.
+        angle[column(table, "state [-]", file_name) == 0] = np.nan
+        jumps = np.flatnonzero(np.abs(np.diff(angle)) > 180) + 1
+        axes.plot(
+            np.insert(phase, jumps, np.nan),
+            np.insert(angle, jumps, np.nan),
+            color=colour,
+            linewidth=width,
+            label=label,
+        )
+    label_crank_angle(axes)
+    axes.set_ylim(0, 360)
+    axes.set_yticks(range(0, 361, 90))
+    axes.set_ylabel("contact angle in bushing [deg]")
 
 
 def draw_profile(axes, run, joint):
@@ -148,16 +188,31 @@ def draw_profile(axes, run, joint):
             linewidth=1.2,
             label=run.label(number),
         )
+    for number, file_name in numbered_files(
+        os.path.join(run.output_dir, joint), "pin_profile"
+    )[-1:]:
+        table = read_csv(file_name)
+        angle = np.radians(column(table, "angle [deg]", file_name))
+        depth = 1e6 * column(table, "pin_wear_depth [m]", file_name)
+        order = np.argsort(angle)
+        axes.plot(
+            np.append(angle[order], angle[order][:1] + 2 * np.pi),
+            np.append(depth[order], depth[order][:1]),
+            "C3--",
+            linewidth=1.0,
+            label=f"pin, {run.label(number)}",
+        )
     axes.set_rlabel_position(20)
     axes.set_ylim(bottom=0)
     axes.tick_params(labelsize="small")
     axes.set_title("wear depth in the bushing frame [µm]", fontsize="medium")
     axes.legend(
-        frameon=False, fontsize="small", loc="center left", bbox_to_anchor=(1.08, 0.5)
+        frameon=False, fontsize="small", loc="upper center", bbox_to_anchor=(0.5, -0.08),
+        ncols=2,
     )
 
 
-def draw_history(axes, run, joint):
+def draw_history(axes, run, joint, other=None):
     cycles = column(run.history, "cycles [-]", run.history_file)
     depth_name = f"{joint} max_wear_depth [m]"
     volume_name = f"{joint} worn_volume [m^3]"
@@ -165,6 +220,16 @@ def draw_history(axes, run, joint):
     # Marks show the wear steps, as long as they can be told apart.
     size = 2.5 if len(cycles) <= 40 else 0
     axes.plot(cycles, depth, "o-", color="C0", markersize=size, linewidth=1.2)
+    if other is not None and depth_name in other.history:
+        axes.plot(
+            column(other.history, "cycles [-]", other.history_file),
+            1e6 * other.history[depth_name],
+            ":",
+            color="black",
+            linewidth=1.5,
+            label=f"depth, {os.path.basename(os.path.normpath(other.output_dir))}",
+        )
+        axes.legend(frameon=False, fontsize="small")
     axes.set_xlabel("cycles")
     axes.set_ylabel("deepest wear [µm]", color="C0")
     axes.tick_params(axis="y", colors="C0")
@@ -188,11 +253,19 @@ def main():
     parser.add_argument("output_dir", metavar="OUTPUT_DIR")
     parser.add_argument("joints", metavar="JOINT", nargs="*")
     parser.add_argument("-o", "--output", default="results.png", metavar="PICTURE")
+    parser.add_argument(
+        "--compare", metavar="DIR", help="a second run, for depth against cycles"
+    )
+    parser.add_argument(
+        "--dpi", type=float, default=150, help="pixels per inch (default: 150)"
+    )
     arguments = parser.parse_args()
 
-    if not os.path.isdir(arguments.output_dir):
-        sys.exit(f"plot_results: there is no directory {arguments.output_dir}")
+    for directory in filter(None, (arguments.output_dir, arguments.compare)):
+        if not os.path.isdir(directory):
+            sys.exit(f"plot_results: there is no directory {directory}")
     run = Run(arguments.output_dir)
+    other = Run(arguments.compare) if arguments.compare else None
     joints = run.joints()
     for joint in arguments.joints:
         if joint not in joints:
@@ -204,7 +277,7 @@ def main():
     if not joints:
         sys.exit(f"plot_results: no results of any joint in {arguments.output_dir}")
 
-    figure = pyplot.figure(figsize=(13, 3.6 * len(joints)), layout="constrained")
+    figure = pyplot.figure(figsize=(15, 3.6 * len(joints)), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08)
     for row, (joint, strip) in enumerate(
         zip(joints, np.atleast_1d(figure.subfigures(len(joints), 1)))
@@ -212,14 +285,20 @@ def main():
         strip.suptitle(joint.replace("_", " "), weight="bold")
         directory = os.path.join(run.output_dir, joint)
         if numbered_files(directory, "duty_cycle"):
-            draw_force(strip.add_subplot(1, 3, 1), run, joint)
+            draw_force(strip.add_subplot(1, 4, 1), run, joint)
+        if has_contact_angle(run, joint):
+            draw_contact_angle(strip.add_subplot(1, 4, 2), run, joint)
         if numbered_files(directory, "profile"):
-            draw_profile(strip.add_subplot(1, 3, 2, projection="polar"), run, joint)
+            draw_profile(strip.add_subplot(1, 4, 3, projection="polar"), run, joint)
         if f"{joint} max_wear_depth [m]" in run.history:
-            draw_history(strip.add_subplot(1, 3, 3), run, joint)
+            draw_history(strip.add_subplot(1, 4, 4), run, joint, other)
 
     try:
-        figure.savefig(arguments.output, dpi=150)
+        figure.savefig(arguments.output, dpi=arguments.dpi)
+        if arguments.output.lower().endswith(".png"):
+            # A palette makes a small file.
+            picture = Image.open(arguments.output).convert("RGB").quantize(256)
+            picture.save(arguments.output, optimize=True)
     except (OSError, ValueError) as error:
         sys.exit(f"plot_results: cannot write {arguments.output}: {error}")
     print(f"Wrote {arguments.output}")

@@ -102,8 +102,12 @@ namespace Tribody
                                     parameters.contact_solver);
 
       // Neighbouring samples differ little, and the same sample on a similar
-      // bore differs less.
+      // bore differs less; but a cycle before may have had fewer samples: where
+      // the motion does not settle, several cycles are recorded as one.
       const Eigen::Index n_samples = cycle.normal_force.size();
+      const bool         has_similar_samples =
+        similar != nullptr &&
+        static_cast<Eigen::Index>(similar->samples.size()) == n_samples;
       const Ranks::Range own       = Ranks::share(n_samples, communicator);
       contact.samples.resize(n_samples);
       for (Eigen::Index j = 0; j < n_samples; ++j)
@@ -115,7 +119,7 @@ namespace Tribody
         for (Eigen::Index j = own.begin; j < own.end; ++j)
           {
             const Contact::ContactSolution *start = nullptr;
-            if (similar != nullptr)
+            if (has_similar_samples)
               start = &similar->samples[j];
             else if (j > own.begin)
               start = &contact.samples[j - 1];
