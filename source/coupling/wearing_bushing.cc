@@ -108,7 +108,7 @@ namespace Tribody
       const bool         has_similar_samples =
         similar != nullptr &&
         static_cast<Eigen::Index>(similar->samples.size()) == n_samples;
-      const Ranks::Range own       = Ranks::share(n_samples, communicator);
+      const Ranks::Range own = Ranks::share(n_samples, communicator);
       contact.samples.resize(n_samples);
       for (Eigen::Index j = 0; j < n_samples; ++j)
         contact.slidings.push_back(
@@ -208,7 +208,7 @@ namespace Tribody
       Contact::ForceSensitivity sensitivity(contact.surface.positions,
                                             elastic.compliance(),
                                             joint.pin_radius);
-      const Ranks::Range own =
+      const Ranks::Range        own =
         Ranks::share(contact.samples.size(), communicator);
       for (const std::size_t j : order_by_active_set(contact.samples, own))
         if (!contact.samples[j].active_set.empty())
