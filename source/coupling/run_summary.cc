@@ -75,7 +75,8 @@ namespace Tribody
         summary.pressure_model     = parameters.pressure_model;
         summary.max_pressure       = contact.max_pressure;
         summary.contact_half_angle = contact.at_peak_force().half_angle;
-        summary.mesh_oscillation   = Wear::mesh_oscillation(contact.wear_rate);
+        summary.mesh_oscillation   = Wear::mesh_oscillation(
+          bushing.surfaces().front().part_of(contact.wear_rate));
         summary.volume_balance_relative_error =
           volume_balance(summary.worn_volume, totals.surfaces[0]);
         summary.comparison = parameters.comparison;
