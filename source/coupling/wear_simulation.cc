@@ -3,6 +3,8 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/interruption.h>
+#include <tribody/coupling/constant_jump.h>
+#include <tribody/coupling/implicit_jump.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
 #include <tribody/multibody/significant_digits.h>

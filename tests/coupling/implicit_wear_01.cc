@@ -10,7 +10,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/coupling/cycle_jump.h>
+#include <tribody/coupling/constant_jump.h>
+#include <tribody/coupling/implicit_jump.h>
 
 #include <cmath>
 #include <iostream>
