@@ -61,7 +61,12 @@ namespace Tribody
                                     parameters.contact_solver);
 
       // Neighbouring samples differ little, and the same sample on a similar
-      // bore differs less.
+      // bore differs less. A motion that has ceased to repeat is averaged over
+      // more cycles than before and has other samples.
+      if (similar != nullptr &&
+          static_cast<Eigen::Index>(similar->samples.size()) !=
+            cycle.normal_force.size())
+        similar = nullptr;
       for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
         {
           const Contact::ContactSolution *start = nullptr;
