@@ -4,8 +4,8 @@
     doc/plot_results.py OUTPUT_DIR [JOINT ...] -o results.png
 
 A row for each joint (default: all), with what there is of it: the joint force
-against the crank angle, the worn profile against the angle in the bushing
-frame, depth and volume against cycles. The picture's format follows its name
+and the angle of contact against the crank angle, the worn profile against the
+angle in the bushing frame, depth and volume against cycles. The picture's format follows its name
 (.png, .pdf, .svg). Needs Matplotlib: apt-get install python3-matplotlib
 """
 
@@ -134,6 +134,26 @@ def draw_force(axes, run, joint):
     axes.legend(frameon=False, fontsize="small")
 
 
+def draw_contact_angle(axes, run, joint):
+    pairs = numbered_files(os.path.join(run.output_dir, joint), "duty_cycle")
+    number, file_name = pairs[-1]
+    table = read_csv(file_name)
+    if "contact_angle_bushing [deg]" not in table:
+        axes.set_axis_off()
+        return
+    phase = column(table, "phase [deg]", file_name)
+    angle = column(table, "contact_angle_bushing [deg]", file_name)
+    # Points: a line would cross the picture where 360 deg follows 0.
+    axes.plot(phase, angle, ".", color="C2", markersize=3, label=run.label(number))
+    axes.set_xlim(0, 360)
+    axes.set_ylim(0, 360)
+    axes.set_xticks(range(0, 361, 90))
+    axes.set_yticks(range(0, 361, 90))
+    axes.set_xlabel("crank angle [deg]")
+    axes.set_ylabel("contact in the bushing frame [deg]")
+    axes.legend(frameon=False, fontsize="small")
+
+
 def draw_profile(axes, run, joint):
     pairs = spread(numbered_files(os.path.join(run.output_dir, joint), "profile"), 5)
     for (number, file_name), colour in zip(pairs, colours_for(pairs)):
@@ -204,7 +224,7 @@ def main():
     if not joints:
         sys.exit(f"plot_results: no results of any joint in {arguments.output_dir}")
 
-    figure = pyplot.figure(figsize=(13, 3.6 * len(joints)), layout="constrained")
+    figure = pyplot.figure(figsize=(16.5, 3.6 * len(joints)), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08)
     for row, (joint, strip) in enumerate(
         zip(joints, np.atleast_1d(figure.subfigures(len(joints), 1)))
@@ -212,14 +232,15 @@ def main():
         strip.suptitle(joint.replace("_", " "), weight="bold")
         directory = os.path.join(run.output_dir, joint)
         if numbered_files(directory, "duty_cycle"):
-            draw_force(strip.add_subplot(1, 3, 1), run, joint)
+            draw_force(strip.add_subplot(1, 4, 1), run, joint)
+            draw_contact_angle(strip.add_subplot(1, 4, 2), run, joint)
         if numbered_files(directory, "profile"):
-            draw_profile(strip.add_subplot(1, 3, 2, projection="polar"), run, joint)
+            draw_profile(strip.add_subplot(1, 4, 3, projection="polar"), run, joint)
         if f"{joint} max_wear_depth [m]" in run.history:
-            draw_history(strip.add_subplot(1, 3, 3), run, joint)
+            draw_history(strip.add_subplot(1, 4, 4), run, joint)
 
     try:
-        figure.savefig(arguments.output, dpi=150)
+        figure.savefig(arguments.output, dpi=100)
     except (OSError, ValueError) as error:
         sys.exit(f"plot_results: cannot write {arguments.output}: {error}")
     print(f"Wrote {arguments.output}")
