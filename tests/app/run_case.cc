@@ -2,7 +2,8 @@
 // directory compare: results in scaled units, beside closed forms and, if
 // reference/<name of the test>.csv exists, beside the joint forces tabulated
 // there (columns crank_angle [deg] and force [N]); likewise with the peak and
-// the mean of the force in reference/<name of the test>_peak_mean.csv.
+// the mean of the force in reference/<name of the test>_peak_mean.csv and the
+// parts of the wear in reference/<name of the test>_lobes.csv.
 
 #include <deal.II/base/mpi.h>
 
@@ -89,25 +90,57 @@ compare_peak_and_mean(const std::string &reference, const json &joint)
             << std::endl;
 }
 
+// The parts of the wear between angles, beside those that the file expects.
+void
+compare_lobes(const std::string &reference, const std::string &profile)
+{
+  const auto from   = read_column(reference, "from [deg]");
+  const auto to     = read_column(reference, "to [deg]");
+  const auto shares = read_column(reference, "share [%]");
+  const auto angles = read_column(profile, "angle [deg]");
+  const auto depths = read_column(profile, "bushing_wear_depth [m]");
+  double     total  = 0.;
+  for (const double depth : depths)
+    total += depth;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    {
+      double part = 0.;
+      for (std::size_t k = 0; k < angles.size(); ++k)
+        if (std::fmod(angles[k] - from[i] + 360., 360.) <=
+            std::fmod(to[i] - from[i] + 360., 360.))
+          part += depths[k];
+      const double share = 100. * part / total;
+      std::cout << std::setprecision(0) << "  wear between " << from[i]
+                << " and " << to[i] << " deg: " << share
+                << " %, expected within 5 points: "
+                << (std::abs(share - shares[i]) < 5.) << std::endl;
+    }
+}
+
 void
 print_bushing(const json &joint)
 {
-  const json  &bushing  = joint["bushing"];
-  const json  &crescent = bushing["crescent_closed_form"];
-  const double depth    = bushing["max_wear_depth_m"];
-  const double volume   = bushing["worn_volume_m3"];
+  const json  &bushing = joint["bushing"];
+  const double depth   = bushing["max_wear_depth_m"];
+  const double volume  = bushing["worn_volume_m3"];
   std::cout << std::setprecision(1) << "  depth " << depth * 1e6
             << " um, volume " << volume * 1e9 << " mm^3, at "
             << std::setprecision(1) << bushing["max_wear_angle_deg"]
             << " deg, half-angle " << std::setprecision(0)
             << joint["contact_half_angle_deg"].get<double>() << " deg"
-            << std::endl
-            << std::setprecision(1) << "  over crescent: depth "
-            << 100. * (depth / crescent["max_wear_depth_m"].get<double>() - 1.)
-            << " %, volume "
-            << 100. * (volume / crescent["worn_volume_m3"].get<double>() - 1.)
-            << " %" << std::endl
-            << "  volume balance below 1e-3: "
+            << std::endl;
+  if (bushing.contains("crescent_closed_form"))
+    {
+      const json &crescent = bushing["crescent_closed_form"];
+      std::cout << std::setprecision(1) << "  over crescent: depth "
+                << 100. *
+                     (depth / crescent["max_wear_depth_m"].get<double>() - 1.)
+                << " %, volume "
+                << 100. *
+                     (volume / crescent["worn_volume_m3"].get<double>() - 1.)
+                << " %" << std::endl;
+    }
+  std::cout << "  volume balance below 1e-3: "
             << (joint["volume_balance_relative_error"] < 1e-3)
             << ", below 1e-6: "
             << (joint["volume_balance_relative_error"] < 1e-6)
@@ -185,5 +218,9 @@ main(int argc, char **argv)
         compare_peak_and_mean(reference + "_peak_mean.csv", joint);
       if (joint.contains("bushing"))
         print_bushing(joint);
+      if (joint_name == "crank_pin" &&
+          std::filesystem::exists(reference + "_lobes.csv"))
+        compare_lobes(reference + "_lobes.csv",
+                      directory + "/crank_pin/profile_0002.csv");
     }
 }
