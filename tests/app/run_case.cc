@@ -125,7 +125,7 @@ print_bushing(const json &joint)
   const double volume  = bushing["worn_volume_m3"];
   std::cout << std::setprecision(1) << "  depth " << depth * 1e6
             << " um, volume " << volume * 1e9 << " mm^3, at "
-            << std::setprecision(1) << bushing["max_wear_angle_deg"]
+            << bushing["max_wear_angle_deg"].get<double>()
             << " deg, half-angle " << std::setprecision(0)
             << joint["contact_half_angle_deg"].get<double>() << " deg"
             << std::endl;
