@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace Tribody
 {
@@ -17,6 +19,20 @@ namespace Tribody
         return 0.05 * std::max(joint.bushing_radius - joint.pin_radius,
                                1e-5 * joint.bushing_radius);
       }
+
+      Contact::ActiveSet
+      differing_nodes(const Contact::ContactSolution &sample)
+      {
+        Contact::ActiveSet nodes;
+        std::set_symmetric_difference(sample.active_set.begin(),
+                                      sample.active_set.end(),
+                                      sample.next_active_set.begin(),
+                                      sample.next_active_set.end(),
+                                      std::back_inserter(nodes));
+        return nodes;
+      }
+
+      constexpr unsigned int max_iterations = 40;
     } // namespace
 
 
@@ -39,8 +55,11 @@ namespace Tribody
     Wear::WearEquation
     ImplicitJump::make_equation()
     {
-      return {[this](const Eigen::VectorXd &y) { return compute_rate(y); },
-              [this]() { return compute_jacobian(); },
+      return {[this](const Eigen::VectorXd &a,
+                     const double           gamma,
+                     const Eigen::VectorXd &guess) {
+                return solve_stage(a, gamma, guess);
+              },
               [this](const Eigen::VectorXd &y) {
                 return stop_conditions.evaluate(depths_after(y));
               },
@@ -54,11 +73,17 @@ namespace Tribody
     {
       // What is known already of the state at which the step begins.
       duty_cycle = &state.duty_cycle;
-      last_y     = Eigen::VectorXd::Zero(first_entry.back());
-      contacts   = state.contacts;
-      compute_weights();
+      Eigen::VectorXd rate = rate_of(state.contacts);
+      if (rate_change.size() > 0)
+        rate = integrator.end_rate() + rate_change;
+      take_contacts(state.contacts);
+      compute_weights(state.contacts);
 
-      integrator.start(state.cycles, last_y, weights, max_step);
+      integrator.start(state.cycles,
+                       Eigen::VectorXd::Zero(first_entry.back()),
+                       rate,
+                       weights,
+                       max_step);
       const bool stopped = integrator.step(end);
 
       const Eigen::VectorXd              y      = integrator.state();
@@ -83,7 +108,7 @@ namespace Tribody
 
 
     void
-    ImplicitJump::compute_weights()
+    ImplicitJump::compute_weights(const std::vector<CycleContact> &contacts)
     {
       weights.resize(first_entry.back());
       area_derivatives.clear();
@@ -118,26 +143,129 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    ImplicitJump::compute_rate(const Eigen::VectorXd &y)
+    void
+    ImplicitJump::take_contacts(const std::vector<CycleContact> &begin)
     {
-      if (y != last_y)
-        {
-          const std::vector<Eigen::VectorXd> depths = depths_after(y);
-          std::size_t                        b      = 0;
-          for (const WearingBushing &bushing : bushings)
-            {
-              contacts[b] =
-                bushing.compute_cycle_contact(depths[b],
-                                              duty_cycle->joint(bushing.name()),
-                                              &contacts[b]);
-              ++b;
-            }
-          last_y = y;
-          ++n_evaluations;
-        }
+      // Which nodes the last stage held says more than the contacts at the
+      // beginning: where the bore is stiff, what has changed since the last
+      // step decides those.
+      bool is_similar = contacts.size() == begin.size();
+      for (std::size_t b = 0; is_similar && b < begin.size(); ++b)
+        is_similar = contacts[b].samples.size() == begin[b].samples.size();
+      if (!is_similar)
+        contacts = begin;
+    }
 
-      Eigen::VectorXd rate(y.size());
+
+
+    std::optional<Eigen::VectorXd>
+    ImplicitJump::solve_stage(const Eigen::VectorXd &a,
+                              const double           gamma,
+                              const Eigen::VectorXd &guess)
+    {
+      Eigen::VectorXd           y = guess;
+      std::vector<CycleContact> best;
+      std::size_t               fewest = std::numeric_limits<std::size_t>::max();
+      unsigned int              n_in_vain = 0;
+      for (unsigned int k = 0; k < max_iterations; ++k)
+        {
+          ++n_evaluations;
+          Eigen::VectorXd rate   = rate_of(hold_nodes(y));
+          Eigen::MatrixXd matrix = -gamma * compute_jacobian();
+          matrix.diagonal().array() += 1.;
+          stage_matrix.compute(matrix);
+          y += stage_matrix.solve(a + gamma * rate - y);
+
+          contacts = hold_nodes(y);
+          rate     = rate_of(contacts);
+          const Eigen::VectorXd residual = a + gamma * rate - y;
+          const std::size_t n_wrong = count_wrong_nodes();
+          if(getenv("DBG")){ fprintf(stderr,"  it %u gamma %g res %.2g corr %.2g:",k,gamma,residual.cwiseProduct(weights).norm()/tolerance,stage_matrix.solve(residual).cwiseProduct(weights).norm()/tolerance); for(auto&c:contacts)for(auto&q:c.samples){int in=0,out=0;for(auto i:q.next_active_set)in+=!std::binary_search(q.active_set.begin(),q.active_set.end(),i);for(auto i:q.active_set)out+=!std::binary_search(q.next_active_set.begin(),q.next_active_set.end(),i);fprintf(stderr," %zu+%d-%d(g %.1g)",q.active_set.size(),in,out,q.gap.minCoeff());} fprintf(stderr,"\n");}
+          if (residual.cwiseProduct(weights).norm() >
+              1e-2 * gamma * rate.cwiseProduct(weights).norm())
+            continue;
+          if (n_wrong == 0)
+            return y + stage_matrix.solve(residual);
+          if (n_wrong < fewest)
+            {
+              fewest    = n_wrong;
+              best      = contacts;
+              n_in_vain = 0;
+            }
+          else if (++n_in_vain == 3)
+            contacts = best;
+          change_nodes(n_in_vain >= 3);
+        }
+      return {};
+    }
+
+
+
+    std::vector<CycleContact>
+    ImplicitJump::hold_nodes(const Eigen::VectorXd &y) const
+    {
+      const std::vector<Eigen::VectorXd> depths = depths_after(y);
+      std::vector<CycleContact>          result;
+      for (const WearingBushing &bushing : bushings)
+        {
+          const std::size_t b = result.size();
+          result.push_back(
+            bushing.compute_held_contact(depths[b],
+                                         duty_cycle->joint(bushing.name()),
+                                         contacts[b]));
+        }
+      return result;
+    }
+
+
+
+    std::size_t
+    ImplicitJump::count_wrong_nodes() const
+    {
+      std::size_t n = 0;
+      for (const CycleContact &contact : contacts)
+        for (const Contact::ContactSolution &sample : contact.samples)
+          n += differing_nodes(sample).size();
+      return n;
+    }
+
+
+
+    void
+    ImplicitJump::change_nodes(const bool one)
+    {
+      for (CycleContact &contact : contacts)
+        for (Contact::ContactSolution &sample : contact.samples)
+          {
+            const Contact::ActiveSet wrong = differing_nodes(sample);
+            if (wrong.empty())
+              continue;
+            if (one)
+              {
+                Contact::ActiveSet changed;
+                const Contact::ActiveSet last(1, wrong.back());
+                std::set_symmetric_difference(sample.active_set.begin(),
+                                              sample.active_set.end(),
+                                              last.begin(),
+                                              last.end(),
+                                              std::back_inserter(changed));
+                sample.active_set = changed;
+              }
+            else
+              sample.active_set    = sample.next_active_set;
+            Eigen::VectorXd kept =
+              Eigen::VectorXd::Zero(sample.nodal_force.size());
+            kept(sample.active_set) = sample.nodal_force(sample.active_set);
+            sample.nodal_force      = kept;
+          }
+    }
+
+
+
+    Eigen::VectorXd
+    ImplicitJump::rate_of(const std::vector<CycleContact> &contacts) const
+    {
+      Eigen::VectorXd rate(first_entry.back());
       for (std::size_t b = 0; b < contacts.size(); ++b)
         rate.segment(first_entry[b], first_entry[b + 1] - first_entry[b]) =
           contacts[b].removed_area;
@@ -150,7 +278,7 @@ namespace Tribody
     ImplicitJump::compute_jacobian() const
     {
       Eigen::MatrixXd jacobian =
-        Eigen::MatrixXd::Zero(last_y.size(), last_y.size());
+        Eigen::MatrixXd::Zero(first_entry.back(), first_entry.back());
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         {
@@ -174,12 +302,9 @@ namespace Tribody
       // duty cycle and compliance change in the rate, as far as the wear under
       // way does not level it again.
       const Eigen::VectorXd local = integrator.local_error();
-      Eigen::VectorXd       change(first_entry.back());
-      for (std::size_t b = 0; b < contacts_after.size(); ++b)
-        change.segment(first_entry[b], first_entry[b + 1] - first_entry[b]) =
-          contacts_after[b].removed_area;
-      const Eigen::VectorXd lag =
-        integrator.damp(0.5 * last_step * (change - integrator.end_rate()));
+      rate_change =
+        stage_matrix.solve(rate_of(contacts_after) - integrator.end_rate());
+      const Eigen::VectorXd lag = 0.5 * last_step * rate_change;
 
       const double relative_lag = lag.cwiseProduct(weights).norm();
       max_step                  = relative_lag > 0.

@@ -45,6 +45,27 @@ namespace Tribody
       const Multibody::JointDutyCycle &cycle,
       const CycleContact              *similar) const
     {
+      return compute_contact(depth, cycle, similar, Nodes::solved);
+    }
+
+
+
+    CycleContact
+    WearingBushing::compute_held_contact(const Eigen::VectorXd           &depth,
+                                         const Multibody::JointDutyCycle &cycle,
+                                         const CycleContact &held) const
+    {
+      return compute_contact(depth, cycle, &held, Nodes::held);
+    }
+
+
+
+    CycleContact
+    WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
+                                    const Multibody::JointDutyCycle &cycle,
+                                    const CycleContact              *similar,
+                                    const Nodes                      nodes) const
+    {
       Wear::WearProfile worn = wear_profile;
       worn.depth             = depth;
 
@@ -69,11 +90,13 @@ namespace Tribody
             start = &similar->samples[j];
           else if (j > 0)
             start = &contact.samples.back();
+          const Eigen::Vector2d force = force_per_length(cycle, j);
           contact.samples.push_back(
-            solver.solve_force_controlled(force_per_length(cycle, j), start));
+            nodes == Nodes::held ? solver.solve_held(force, *start) :
+                                   solver.solve_force_controlled(force, start));
 
           const Contact::ContactSolution &solution = contact.samples.back();
-          AssertThrow(solution.report.converged,
+          AssertThrow(nodes == Nodes::held || solution.report.converged,
                       ExcRun(unsolved_contact(cycle, j, solution.report)));
 
           for (Eigen::Index i = 0; i < depth.size(); ++i)

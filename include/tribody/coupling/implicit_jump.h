@@ -1,10 +1,13 @@
 #ifndef tribody_coupling_implicit_jump_h
 #define tribody_coupling_implicit_jump_h
 
+#include <Eigen/LU>
+
 #include <tribody/coupling/cycle_jump.h>
 #include <tribody/wear/implicit_extrapolation.h>
 
 #include <list>
+#include <optional>
 #include <vector>
 
 namespace Tribody
@@ -49,15 +52,39 @@ namespace Tribody
       Wear::WearEquation
       make_equation();
 
-      Eigen::VectorXd
-      compute_rate(const Eigen::VectorXd &y);
+      std::optional<Eigen::VectorXd>
+      solve_stage(const Eigen::VectorXd &a,
+                  const double           gamma,
+                  const Eigen::VectorXd &guess);
 
+      /// One step of the contacts after the wear @p y from #contacts, with the
+      /// nodes held that those name.
+      std::vector<CycleContact>
+      hold_nodes(const Eigen::VectorXd &y) const;
+
+      /// Over all samples, held though they should not be, or the other way
+      /// round.
+      std::size_t
+      count_wrong_nodes() const;
+
+      /// Go on to the nodes that should be held, or change one in each sample.
+      void
+      change_nodes(const bool one);
+
+      /// dW/dy with the nodes held that #contacts name.
       Eigen::MatrixXd
       compute_jacobian() const;
 
       /// What an error of y counts.
       void
-      compute_weights();
+      compute_weights(const std::vector<CycleContact> &contacts);
+
+      /// Begin the iterations with @p begin, or with what is better.
+      void
+      take_contacts(const std::vector<CycleContact> &begin);
+
+      Eigen::VectorXd
+      rate_of(const std::vector<CycleContact> &contacts) const;
 
       std::vector<Eigen::VectorXd>
       depths_after(const Eigen::VectorXd &y) const;
@@ -71,11 +98,14 @@ namespace Tribody
       std::vector<Eigen::Index>   first_entry;
       Wear::ImplicitExtrapolation integrator;
       const Multibody::DutyCycle *duty_cycle = nullptr;
-      /// The last state whose rate was computed, and its contacts.
-      Eigen::VectorXd           last_y;
-      std::vector<CycleContact> contacts;
+      /// Of the last iteration; empty before the first step.
+      std::vector<CycleContact>            contacts;
+      /// I - gamma dW/dy of the last iteration.
+      Eigen::PartialPivLU<Eigen::MatrixXd> stage_matrix;
       unsigned int              n_evaluations = 0;
       double                    last_step     = 0.;
+      /// What the last step's end changes in the rate, as far as it lasts.
+      Eigen::VectorXd rate_change;
       /// Bound of the next step [cycles] from what changes between steps.
       double          max_step = 0.;
       Eigen::VectorXd weights;

@@ -88,6 +88,16 @@ namespace Tribody
                             const CycleContact              *similar) const;
 
       /**
+       * The same with the nodes of @p held in contact, sample by sample, as
+       * Contact::ContactSolver::solve_held() has it: rates may be negative
+       * where the wrong nodes are held.
+       */
+      CycleContact
+      compute_held_contact(const Eigen::VectorXd           &depth,
+                           const Multibody::JointDutyCycle &cycle,
+                           const CycleContact              &held) const;
+
+      /**
        * How the wear rate changes with the depth, dW/dh [per cycle]: minus the
        * sum over the samples of @f$ k\,\Delta s\,D^{-1} S @f$, with D the
        * derivative of the bore's area and S of Contact::ForceSensitivity. What
@@ -164,6 +174,20 @@ namespace Tribody
       }
 
     private:
+      /// How the nodes in contact are found: by the contact problem, or they
+      /// are given.
+      enum class Nodes
+      {
+        solved,
+        held
+      };
+
+      CycleContact
+      compute_contact(const Eigen::VectorXd           &depth,
+                      const Multibody::JointDutyCycle &cycle,
+                      const CycleContact              *similar,
+                      const Nodes                      nodes) const;
+
       Eigen::Vector2d
       force_per_length(const Multibody::JointDutyCycle &cycle,
                        const Eigen::Index               j) const;
