@@ -154,8 +154,8 @@ namespace Tribody
 
       evaluate_gap(iterate, Rows::all);
       const SolverReport report{false, 1, relative_gap(iterate), ""};
-      ContactSolution solution = make_solution(iterate, report);
-      solution.next_active_set = next_active_set(iterate);
+      ContactSolution    solution = make_solution(iterate, report);
+      solution.next_active_set    = next_active_set(iterate);
       return solution;
     }
 
@@ -463,8 +463,8 @@ namespace Tribody
       solution.force       = iterate.pin.directions * iterate.nodal_force;
       solution.active_set  = iterate.active_set;
       solution.next_active_set = iterate.active_set;
-      solution.report      = report;
-      solution.half_angle  = contact_half_angle(solution, surface);
+      solution.report          = report;
+      solution.half_angle      = contact_half_angle(solution, surface);
       return solution;
     }
   } // namespace Contact

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace Tribody
 {
@@ -32,7 +33,16 @@ namespace Tribody
         return nodes;
       }
 
+
+
+      // Some 3 iterations are usual; when that many do not do, a shorter step
+      // is the better way.
       constexpr unsigned int max_iterations = 40;
+      // In the second case they are changed one by one until it gets better.
+      constexpr unsigned int max_in_vain = 3;
+      // Part of the rate, in the norm of the errors: forces that are less sure
+      // than that say nothing about the nodes in contact.
+      constexpr double max_inconsistency = 1e-2;
     } // namespace
 
 
@@ -72,7 +82,7 @@ namespace Tribody
     ImplicitJump::advance(RunState &state, const double end)
     {
       // What is known already of the state at which the step begins.
-      duty_cycle = &state.duty_cycle;
+      duty_cycle           = &state.duty_cycle;
       Eigen::VectorXd rate = rate_of(state.contacts);
       if (rate_change.size() > 0)
         rate = integrator.end_rate() + rate_change;
@@ -96,7 +106,6 @@ namespace Tribody
             part(y, b).sum() * bushing.bushing_parameters().axial_length;
           ++b;
         }
-      last_step    = integrator.cycles() - state.cycles;
       state.cycles = integrator.cycles();
       if (!stopped)
         return -1;
@@ -163,27 +172,31 @@ namespace Tribody
                               const double           gamma,
                               const Eigen::VectorXd &guess)
     {
+      const auto norm = [this](const Eigen::VectorXd &v) {
+        return v.cwiseProduct(weights).norm();
+      };
       Eigen::VectorXd           y = guess;
       std::vector<CycleContact> best;
-      std::size_t               fewest = std::numeric_limits<std::size_t>::max();
-      unsigned int              n_in_vain = 0;
+      std::size_t  fewest    = std::numeric_limits<std::size_t>::max();
+      unsigned int n_in_vain = 0;
       for (unsigned int k = 0; k < max_iterations; ++k)
         {
+          // Newton's step for all contacts and the wear together: the contacts
+          // at y, what the wear then is, and the contacts there.
           ++n_evaluations;
-          Eigen::VectorXd rate   = rate_of(hold_nodes(y));
-          Eigen::MatrixXd matrix = -gamma * compute_jacobian();
+          const Eigen::VectorXd first  = rate_of(hold_nodes(y));
+          Eigen::MatrixXd       matrix = -gamma * compute_jacobian();
           matrix.diagonal().array() += 1.;
           stage_matrix.compute(matrix);
-          y += stage_matrix.solve(a + gamma * rate - y);
+          y += stage_matrix.solve(a + gamma * first - y);
 
-          contacts = hold_nodes(y);
-          rate     = rate_of(contacts);
+          contacts                       = hold_nodes(y);
+          const Eigen::VectorXd rate     = rate_of(contacts);
           const Eigen::VectorXd residual = a + gamma * rate - y;
-          const std::size_t n_wrong = count_wrong_nodes();
-          if(getenv("DBG")){ fprintf(stderr,"  it %u gamma %g res %.2g corr %.2g:",k,gamma,residual.cwiseProduct(weights).norm()/tolerance,stage_matrix.solve(residual).cwiseProduct(weights).norm()/tolerance); for(auto&c:contacts)for(auto&q:c.samples){int in=0,out=0;for(auto i:q.next_active_set)in+=!std::binary_search(q.active_set.begin(),q.active_set.end(),i);for(auto i:q.active_set)out+=!std::binary_search(q.next_active_set.begin(),q.next_active_set.end(),i);fprintf(stderr," %zu+%d-%d(g %.1g)",q.active_set.size(),in,out,q.gap.minCoeff());} fprintf(stderr,"\n");}
-          if (residual.cwiseProduct(weights).norm() >
-              1e-2 * gamma * rate.cwiseProduct(weights).norm())
+          if (norm(residual) > max_inconsistency * gamma * norm(rate))
             continue;
+
+          const std::size_t n_wrong = count_wrong_nodes();
           if (n_wrong == 0)
             return y + stage_matrix.solve(residual);
           if (n_wrong < fewest)
@@ -192,9 +205,9 @@ namespace Tribody
               best      = contacts;
               n_in_vain = 0;
             }
-          else if (++n_in_vain == 3)
+          else if (++n_in_vain == max_in_vain)
             contacts = best;
-          change_nodes(n_in_vain >= 3);
+          change_nodes(n_in_vain >= max_in_vain);
         }
       return {};
     }
@@ -209,10 +222,8 @@ namespace Tribody
       for (const WearingBushing &bushing : bushings)
         {
           const std::size_t b = result.size();
-          result.push_back(
-            bushing.compute_held_contact(depths[b],
-                                         duty_cycle->joint(bushing.name()),
-                                         contacts[b]));
+          result.push_back(bushing.compute_held_contact(
+            depths[b], duty_cycle->joint(bushing.name()), contacts[b]));
         }
       return result;
     }
@@ -232,7 +243,7 @@ namespace Tribody
 
 
     void
-    ImplicitJump::change_nodes(const bool one)
+    ImplicitJump::change_nodes(const bool one_by_one)
     {
       for (CycleContact &contact : contacts)
         for (Contact::ContactSolution &sample : contact.samples)
@@ -240,23 +251,20 @@ namespace Tribody
             const Contact::ActiveSet wrong = differing_nodes(sample);
             if (wrong.empty())
               continue;
-            if (one)
+            Contact::ActiveSet next = sample.next_active_set;
+            if (one_by_one)
               {
-                Contact::ActiveSet changed;
-                const Contact::ActiveSet last(1, wrong.back());
+                next.clear();
                 std::set_symmetric_difference(sample.active_set.begin(),
                                               sample.active_set.end(),
-                                              last.begin(),
-                                              last.end(),
-                                              std::back_inserter(changed));
-                sample.active_set = changed;
+                                              wrong.end() - 1,
+                                              wrong.end(),
+                                              std::back_inserter(next));
               }
-            else
-              sample.active_set    = sample.next_active_set;
-            Eigen::VectorXd kept =
-              Eigen::VectorXd::Zero(sample.nodal_force.size());
-            kept(sample.active_set) = sample.nodal_force(sample.active_set);
-            sample.nodal_force      = kept;
+            const Eigen::VectorXd forces = sample.nodal_force;
+            sample.nodal_force.setZero();
+            sample.nodal_force(next) = forces(next);
+            sample.active_set        = std::move(next);
           }
     }
 
@@ -296,19 +304,20 @@ namespace Tribody
 
     std::vector<StepError>
     ImplicitJump::estimate_error(
-      const std::vector<CycleContact> &contacts_after)
+      const std::vector<CycleContact> &contacts_after,
+      const double                     cycles_kept)
     {
-      // What the integrator estimates, and half a step's worth of what the new
-      // duty cycle and compliance change in the rate, as far as the wear under
-      // way does not level it again.
+      // What the integrator estimates, and half of what the new duty cycle and
+      // compliance change in the rate, times the cycles that they were kept
+      // for, as far as the wear under way does not level it again.
       const Eigen::VectorXd local = integrator.local_error();
       rate_change =
         stage_matrix.solve(rate_of(contacts_after) - integrator.end_rate());
-      const Eigen::VectorXd lag = 0.5 * last_step * rate_change;
+      const Eigen::VectorXd lag = 0.5 * cycles_kept * rate_change;
 
       const double relative_lag = lag.cwiseProduct(weights).norm();
       max_step                  = relative_lag > 0.
-                                    ? 0.9 * last_step * std::sqrt(tolerance / relative_lag)
+                                    ? 0.9 * cycles_kept * std::sqrt(tolerance / relative_lag)
                                     : 0.;
 
       std::vector<StepError> errors;

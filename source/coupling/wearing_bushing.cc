@@ -64,7 +64,7 @@ namespace Tribody
     WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
                                     const Multibody::JointDutyCycle &cycle,
                                     const CycleContact              *similar,
-                                    const Nodes                      nodes) const
+                                    const Nodes nodes) const
     {
       Wear::WearProfile worn = wear_profile;
       worn.depth             = depth;
@@ -92,8 +92,8 @@ namespace Tribody
             start = &contact.samples.back();
           const Eigen::Vector2d force = force_per_length(cycle, j);
           contact.samples.push_back(
-            nodes == Nodes::held ? solver.solve_held(force, *start) :
-                                   solver.solve_force_controlled(force, start));
+            nodes == Nodes::held ? solver.solve_held(force, *start)
+                                 : solver.solve_force_controlled(force, start));
 
           const Contact::ContactSolution &solution = contact.samples.back();
           AssertThrow(nodes == Nodes::held || solution.report.converged,

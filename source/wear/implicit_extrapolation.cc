@@ -1,4 +1,5 @@
 #include <arkode/arkode_arkstep.h>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_nonlinearsolver.h>
@@ -52,6 +53,18 @@ namespace Tribody
       /// Solve the stage that ARKODE is at; its correction of the prediction.
       int
       solve_stage(View correction);
+
+      /// The largest of the events; negative before any has happened.
+      double
+      largest_event() const;
+
+      /// One step, not beyond @p end, and what it proposes for the next one.
+      void
+      take_step(const double end);
+
+      /// The last step once more, @p n_cycles long. @return the largest event.
+      double
+      retake_step(const double n_cycles);
 
       /// Throw what a callback threw, or translate a return code.
       void
@@ -115,19 +128,6 @@ namespace Tribody
 
 
 
-      template <typename Memory>
-      int
-      event_callback(realtype, N_Vector y, realtype *values, void *data)
-      {
-        Memory &memory = *static_cast<Memory *>(data);
-        return guarded(memory.exception, [&]() {
-          View(values, memory.equation.n_events) =
-            memory.equation.events(view_of(y));
-        });
-      }
-
-
-
       // ARKODE's norm is a mean over the entries.
       template <typename Memory>
       int
@@ -169,13 +169,18 @@ namespace Tribody
                      booleantype,
                      void *)
       {
-        Memory &memory = *static_cast<Memory *>(solver->content);
-        int     status = SUN_NLS_SUCCESS;
+        Memory   &memory  = *static_cast<Memory *>(solver->content);
+        int       status  = SUN_NLS_SUCCESS;
         const int failure = guarded(memory.exception, [&]() {
           status = memory.solve_stage(view_of(correction));
         });
         return failure < 0 ? SUN_NLS_EXT_FAIL : status;
       }
+
+
+
+      // What an event may be off by where it ends the integration.
+      constexpr double event_tolerance = 1e-10;
 
 
 
@@ -202,7 +207,7 @@ namespace Tribody
                                           &data,
                                           &user_data),
             "ARKStepGetNonlinearSystemData");
-      const Eigen::VectorXd a = view_of(prediction) + view_of(data);
+      const Eigen::VectorXd a     = view_of(prediction) + view_of(data);
       Eigen::VectorXd       guess = y_start;
       if (slope.size() > 0)
         guess += (stage_cycles - step_start) * slope;
@@ -258,7 +263,7 @@ namespace Tribody
       check(ARKStepWFtolerances(arkode, weight_callback<Memory>),
             "ARKStepWFtolerances");
       check(ARKStepSetTableNum(arkode,
-                               ARKODE_ESDIRK325L2SA_5_2_3,
+                               ARKODE_ESDIRK32I5L2SA_5_2_3,
                                ARKODE_ERK_NONE),
             "ARKStepSetTableNum");
       // Every step is the first one of its equation: no history for a
@@ -271,11 +276,6 @@ namespace Tribody
       // no amplification of what its solution left.
       check(ARKStepSetDeduceImplicitRhs(arkode, SUNTRUE),
             "ARKStepSetDeduceImplicitRhs");
-      if (equation.n_events > 0)
-        check(ARKStepRootInit(arkode,
-                              equation.n_events,
-                              event_callback<Memory>),
-              "ARKStepRootInit");
     }
 
 
@@ -321,25 +321,75 @@ namespace Tribody
 
 
 
+    double
+    ImplicitExtrapolation::Memory::largest_event() const
+    {
+      return equation.n_events > 0 ? equation.events(y).maxCoeff() : -1.;
+    }
+
+
+
+    void
+    ImplicitExtrapolation::Memory::take_step(const double end)
+    {
+      check(ARKStepSetStopTime(arkode, end), "ARKStepSetStopTime");
+      check(ARKStepEvolve(arkode, end, view, &cycles, ARK_ONE_STEP),
+            "ARKStepEvolve");
+      double last_step = 0., next_step = 0.;
+      check(ARKStepGetLastStep(arkode, &last_step), "ARKStepGetLastStep");
+      check(ARKStepGetCurrentStep(arkode, &next_step), "ARKStepGetCurrentStep");
+      // A step that was cut short to end where it had to says little about the
+      // next one.
+      proposal = last_step < proposal && cycles == end
+                   ? std::max(proposal, next_step)
+                   : next_step;
+    }
+
+
+
+    double
+    ImplicitExtrapolation::Memory::retake_step(const double n_cycles)
+    {
+      y      = y_start;
+      cycles = step_start;
+      check(ARKStepReset(arkode, cycles, view), "ARKStepReset");
+      check(ARKStepSetInitStep(arkode, n_cycles), "ARKStepSetInitStep");
+      take_step(step_start + n_cycles);
+      return largest_event();
+    }
+
+
+
     bool
     ImplicitExtrapolation::step(const double end)
     {
       Memory &m = *memory;
-      m.check(ARKStepSetStopTime(m.arkode, end), "ARKStepSetStopTime");
-      const int flag =
-        ARKStepEvolve(m.arkode, end, m.view, &m.cycles, ARK_ONE_STEP);
-      m.check(flag, "ARKStepEvolve");
+      // ARKODE would ask for the rate at the end of the step before.
+      if (m.cycles != m.step_start)
+        start(m.cycles,
+              Eigen::VectorXd(m.y),
+              Eigen::VectorXd(m.end_rate),
+              Eigen::VectorXd(m.weights));
+      const double before = m.largest_event();
+      m.take_step(end);
+      double value = m.largest_event();
+      if (value < 0. || before >= 0.)
+        return value >= 0.;
 
-      double last_step = 0., next_step = 0.;
-      m.check(ARKStepGetLastStep(m.arkode, &last_step), "ARKStepGetLastStep");
-      m.check(ARKStepGetCurrentStep(m.arkode, &next_step),
-              "ARKStepGetCurrentStep");
-      // A step that was cut short to end where it had to says little about the
-      // next one.
-      m.proposal = last_step < m.proposal && m.cycles == end
-                     ? std::max(m.proposal, next_step)
-                     : next_step;
-      return flag == ARK_ROOT_RETURN;
+      // The step itself is taken again, as long as it may be: what ARKODE
+      // interpolates within a step is less accurate than its end.
+      boost::uintmax_t max_steps = 50;
+      boost::math::tools::toms748_solve(
+        [&](const double n_cycles) { return value = m.retake_step(n_cycles); },
+        0.,
+        m.cycles - m.step_start,
+        before,
+        value,
+        [&](const double, const double) {
+          return std::abs(value) < event_tolerance;
+        },
+        max_steps);
+      return true;
     }
 
 

@@ -32,6 +32,9 @@ namespace Tribody
       /// Change of the profile, as a fraction of the wall, after which the
       /// compliance is computed anew [-].
       double compliance_update = 0.005;
+      /// Change of the profile, as a fraction of the largest clearance of the
+      /// worn joint, after which the dynamics is run anew [-].
+      double dynamics_update = 0.01;
 
       /// Declares in the current subsection, "Wear".
       void

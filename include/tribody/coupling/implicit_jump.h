@@ -20,6 +20,17 @@ namespace Tribody
      * began, and the depth follows from it: so the volume that the bushings
      * lose is what Archard's law has removed, however long the step.
      *
+     * A stage @f$ y = a + \gamma W(y) @f$ is the contact problem of all samples
+     * of the cycle together, with the wear as one more way in which the bore
+     * gives way. It is solved as such by the primal-dual active set method:
+     * the nodes in contact are given in each sample, forces and wear follow
+     * from linear equations (up to the curvature of the exact gap), and from
+     * the forces and gaps the nodes that should be in contact. If their number
+     * of errors does not fall, they are changed one by one
+     * (@cite portugal1994). Contact problems that are solved for a given wear
+     * would be ill-posed where the bore is stiff: forces over displacements
+     * that the wear decides.
+     *
      * The error of the depth counts as
      * @f[ \frac{1}{h_\text{max}} \sqrt{\frac{\int e^2\,ds}{\ell}}, \qquad
      *     \ell = \frac{\int h\,ds}{h_\text{max}}, @f]
@@ -40,7 +51,8 @@ namespace Tribody
       advance(RunState &state, const double end) override;
 
       std::vector<StepError>
-      estimate_error(const std::vector<CycleContact> &contacts_after) override;
+      estimate_error(const std::vector<CycleContact> &contacts_after,
+                     const double                     cycles_kept) override;
 
       unsigned int
       n_rate_evaluations() const override
@@ -67,9 +79,10 @@ namespace Tribody
       std::size_t
       count_wrong_nodes() const;
 
-      /// Go on to the nodes that should be held, or change one in each sample.
+      /// Go on to the nodes that should be held, or change one of them in each
+      /// sample.
       void
-      change_nodes(const bool one);
+      change_nodes(const bool one_by_one);
 
       /// dW/dy with the nodes held that #contacts name.
       Eigen::MatrixXd
@@ -99,11 +112,10 @@ namespace Tribody
       Wear::ImplicitExtrapolation integrator;
       const Multibody::DutyCycle *duty_cycle = nullptr;
       /// Of the last iteration; empty before the first step.
-      std::vector<CycleContact>            contacts;
+      std::vector<CycleContact> contacts;
       /// I - gamma dW/dy of the last iteration.
       Eigen::PartialPivLU<Eigen::MatrixXd> stage_matrix;
-      unsigned int              n_evaluations = 0;
-      double                    last_step     = 0.;
+      unsigned int                         n_evaluations = 0;
       /// What the last step's end changes in the rate, as far as it lasts.
       Eigen::VectorXd rate_change;
       /// Bound of the next step [cycles] from what changes between steps.

@@ -62,6 +62,10 @@ namespace Tribody
       void
       run_dynamics();
 
+      /// Whether a profile has changed by more than the tolerance since then.
+      bool
+      dynamics_is_due() const;
+
       /// Contact and wear per cycle in every bushing.
       void
       solve_contacts();
@@ -72,9 +76,9 @@ namespace Tribody
       take_wear_step(const double end);
 
       /// Add up what the last wear step has left of error, now that the rates
-      /// at its end are known.
+      /// at its end are known. @param cycles_kept see CycleJump.
       void
-      estimate_error();
+      estimate_error(const double cycles_kept);
 
       void
       count_rate_evaluations(const unsigned int n);
@@ -105,6 +109,9 @@ namespace Tribody
       StopConditions             stop_conditions;
       std::unique_ptr<CycleJump> jump;
       bool                       unstable_step_reported = false;
+      /// Where the dynamics was run last [cycles], and the depths there [m].
+      double                       cycles_at_dynamics = 0.;
+      std::vector<Eigen::VectorXd> depths_at_dynamics;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -24,12 +24,13 @@ namespace Tribody
        * solution, however large gamma is.
        * @return y, or nothing if it was not found: shorter steps are tried.
        */
-      std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd &a,
-                                                   const double gamma,
-                                                   const Eigen::VectorXd &guess)>
+      std::function<
+        std::optional<Eigen::VectorXd>(const Eigen::VectorXd &a,
+                                       const double           gamma,
+                                       const Eigen::VectorXd &guess)>
         solve_stage;
-      /// Functions of y whose change of sign ends the integration, and their
-      /// number.
+      /// Functions of y of the size of one, negative at first; the first to
+      /// become zero ends the integration. And their number.
       std::function<Eigen::VectorXd(const Eigen::VectorXd &y)> events;
       unsigned int                                             n_events = 0;
     };
@@ -80,7 +81,7 @@ namespace Tribody
       /**
        * One step, not beyond @p end [cycles].
        * @return whether one of the events has happened; the step then ends
-       *   there.
+       *   there, to 1e-10 of the event.
        * @throws ExcRun if no step can be taken, and what the functions of the
        *   equation throw.
        */
