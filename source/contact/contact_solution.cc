@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace Tribody
@@ -87,6 +88,20 @@ namespace Tribody
 
 
 
+    ActiveSet
+    differing_nodes(const ContactSolution &solution)
+    {
+      ActiveSet nodes;
+      std::set_symmetric_difference(solution.active_set.begin(),
+                                    solution.active_set.end(),
+                                    solution.next_active_set.begin(),
+                                    solution.next_active_set.end(),
+                                    std::back_inserter(nodes));
+      return nodes;
+    }
+
+
+
     void
     broadcast(ContactSolution   &solution,
               const unsigned int root,
@@ -105,13 +120,14 @@ namespace Tribody
             Eigen::VectorXd::Zero(n);
         }
       Eigen::VectorXd is_active = Eigen::VectorXd::Zero(n);
-      for (const Eigen::Index i : solution.active_set)
-        is_active[i] = 1.;
-      Eigen::VectorXd values(4 * n + 8);
+      Eigen::VectorXd is_next   = Eigen::VectorXd::Zero(n);
+      is_active(solution.active_set).setOnes();
+      is_next(solution.next_active_set).setOnes();
+      Eigen::VectorXd values(5 * n + 8);
       values << solution.nodal_force, solution.pressure, solution.gap,
         is_active, solution.pin_centre, solution.force, solution.half_angle,
         solution.report.converged, solution.report.n_iterations,
-        solution.report.residual;
+        solution.report.residual, is_next;
       Ranks::broadcast(values, root, communicator);
 
       solution.nodal_force         = values.segment(0, n);
@@ -124,9 +140,14 @@ namespace Tribody
       solution.report.n_iterations = std::lround(values[4 * n + 6]);
       solution.report.residual     = values[4 * n + 7];
       solution.active_set.clear();
+      solution.next_active_set.clear();
       for (Eigen::Index i = 0; i < n; ++i)
-        if (values[3 * n + i] > 0.)
-          solution.active_set.push_back(i);
+        {
+          if (values[3 * n + i] > 0.)
+            solution.active_set.push_back(i);
+          if (values[4 * n + 8 + i] > 0.)
+            solution.next_active_set.push_back(i);
+        }
     }
 
 

@@ -181,6 +181,28 @@ namespace Tribody
 
 
 
+    ContactSolution
+    ContactSolver::solve_held(const Eigen::Vector2d &force_per_length,
+                              const ContactSolution &start)
+    {
+      if (start.active_set.empty())
+        return solve_force_controlled(force_per_length, nullptr);
+
+      Iterate iterate = first_iterate(force_per_length, &start);
+      newton_step(force_per_length, iterate);
+      if (!iterate.nodal_force.allFinite() ||
+          !(iterate.pin_centre.norm() < pin_radius))
+        return solve_force_controlled(force_per_length, nullptr);
+
+      evaluate_gap(iterate, Rows::all);
+      const SolverReport report{false, 1, relative_gap(iterate), ""};
+      ContactSolution    solution = make_solution(iterate, report);
+      solution.next_active_set    = next_active_set(iterate);
+      return solution;
+    }
+
+
+
     ContactSolver::Iterate
     ContactSolver::first_iterate(const Eigen::Vector2d &force,
                                  const ContactSolution *warm_start) const
@@ -482,8 +504,9 @@ namespace Tribody
       solution.pin_centre  = iterate.pin_centre;
       solution.force       = iterate.pin.directions * iterate.nodal_force;
       solution.active_set  = iterate.active_set;
-      solution.report      = report;
-      solution.half_angle  = contact_half_angle(solution, surface);
+      solution.next_active_set = iterate.active_set;
+      solution.report          = report;
+      solution.half_angle      = contact_half_angle(solution, surface);
       return solution;
     }
   } // namespace Contact

@@ -540,6 +540,16 @@ namespace Tribody
         "first cycle, or the wear of the whole run too. The dynamics is not "
         "repeated. The differences, which are larger than the errors, are in "
         "summary.json.");
+      Parameters::add_quantity(prm,
+                               "Dynamics update",
+                               dynamics_update,
+                               "",
+                               "The motion is computed anew when the profile "
+                               "of a bushing has changed by this fraction of "
+                               "the largest clearance of its worn joint since "
+                               "it was computed last, and always at the end. "
+                               "What the delay may have changed is part of the "
+                               "estimated error. 0: after every wear step.");
     }
 
 
@@ -560,6 +570,10 @@ namespace Tribody
                   ExcParameter("Wear/Compliance update",
                                Units::to_string(compliance_update, "", "") +
                                  " must lie between 0 and 1, both excluded"));
+      AssertThrow(dynamics_update >= 0. && dynamics_update < 1.,
+                  ExcParameter("Wear/Dynamics update",
+                               Units::to_string(dynamics_update, "", "") +
+                                 " must be at least 0 and less than 1"));
     }
 
 

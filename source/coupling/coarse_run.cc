@@ -105,10 +105,11 @@ namespace Tribody
       solve_contacts();
       while (state.cycles < end)
         {
+          const double begin = state.cycles;
           jump->advance(state, end);
           solve_contacts();
           // By which it chooses its next step.
-          jump->estimate_error(state.contacts);
+          jump->estimate_error(state.contacts, state.cycles - begin);
         }
     }
 

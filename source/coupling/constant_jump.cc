@@ -57,8 +57,8 @@ namespace Tribody
 
       // Within an explicit step the removed area is linear in the cycles: the
       // moment at which a limit is passed is a root of one number.
-      last_step   = extrapolation.next_step(state.cycles, end);
-      int reached = -1;
+      double last_step = extrapolation.next_step(state.cycles, end);
+      int    reached   = -1;
       for (unsigned int i = 0; i < stop_conditions.n_conditions(); ++i)
         {
           const auto value = [&](const double n_cycles) {
@@ -116,7 +116,8 @@ namespace Tribody
 
     std::vector<StepError>
     ConstantJump::estimate_error(
-      const std::vector<CycleContact> &contacts_after)
+      const std::vector<CycleContact> &contacts_after,
+      const double                     cycles_kept)
     {
       std::vector<StepError> errors;
       std::size_t            b = 0;
@@ -126,13 +127,13 @@ namespace Tribody
           const CycleContact &used = used_contacts[b];
           errors.push_back({Wear::euler_error(used.wear_rate,
                                               contacts_before[b].wear_rate,
-                                              last_step) +
+                                              cycles_kept) +
                               Wear::euler_error(used.wear_rate,
                                                 contacts_after[b].wear_rate,
-                                                last_step),
+                                                cycles_kept),
                             {}});
           const Eigen::VectorXd area_error =
-            0.5 * last_step *
+            0.5 * cycles_kept *
             (contacts_before[b].removed_area + contacts_after[b].removed_area -
              2. * used.removed_area);
           std::size_t i = 0;

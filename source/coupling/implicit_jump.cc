@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 namespace Tribody
 {
@@ -17,6 +20,17 @@ namespace Tribody
         return 0.05 * std::max(joint.bushing_radius - joint.pin_radius,
                                1e-5 * joint.bushing_radius);
       }
+
+
+
+      // Some 3 iterations are usual; when that many do not do, a shorter step
+      // is the better way.
+      constexpr unsigned int max_iterations = 40;
+      // In the second case they are changed one by one until it gets better.
+      constexpr unsigned int max_in_vain = 3;
+      // Part of the rate, in the norm of the errors: forces that are less sure
+      // than that say nothing about the nodes in contact.
+      constexpr double max_inconsistency = 1e-2;
     } // namespace
 
 
@@ -38,10 +52,12 @@ namespace Tribody
     Wear::WearEquation
     ImplicitJump::make_equation()
     {
-      return {[this](const double cycles, const Eigen::VectorXd &y) {
-                return compute_rate(cycles, y);
+      return {[this](const double           cycles,
+                     const Eigen::VectorXd &a,
+                     const double           gamma,
+                     const Eigen::VectorXd &guess) {
+                return solve_stage(cycles, a, gamma, guess);
               },
-              [this]() { return compute_jacobian(); },
               [this](const Eigen::VectorXd &y) {
                 return stop_conditions.evaluate(depths_after(y));
               },
@@ -54,13 +70,18 @@ namespace Tribody
     ImplicitJump::advance(RunState &state, const double end)
     {
       // What is known already of the state at which the step begins.
-      run         = &state;
-      last_cycles = state.cycles;
-      last_y      = Eigen::VectorXd::Zero(first_entry.back());
-      contacts    = state.contacts;
-      compute_weights();
+      run                  = &state;
+      Eigen::VectorXd rate = rate_of(state.contacts);
+      if (rate_change.size() > 0)
+        rate = integrator.end_rate() + rate_change;
+      take_contacts(state.contacts);
+      compute_weights(state.contacts);
 
-      integrator.start(state.cycles, last_y, weights, metric, max_step);
+      integrator.start(state.cycles,
+                       Eigen::VectorXd::Zero(first_entry.back()),
+                       rate,
+                       weights,
+                       max_step);
       const bool stopped = integrator.step(end);
 
       const Eigen::VectorXd              y      = integrator.state();
@@ -71,7 +92,6 @@ namespace Tribody
           wear(bushing, state.totals[b], depths[b], part(y, b));
           ++b;
         }
-      last_step    = integrator.cycles() - state.cycles;
       state.cycles = integrator.cycles();
       if (!stopped)
         return -1;
@@ -83,10 +103,9 @@ namespace Tribody
 
 
     void
-    ImplicitJump::compute_weights()
+    ImplicitJump::compute_weights(const std::vector<CycleContact> &contacts)
     {
       weights.resize(first_entry.back());
-      metric.resize(first_entry.back());
       largest_depths.clear();
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
@@ -116,10 +135,6 @@ namespace Tribody
               const Eigen::Index first = first_entry[b] + surface.first_node;
               weights.segment(first, D.size()) =
                 (D * arc).cwiseSqrt().cwiseInverse() / max_depth;
-              // Nothing is solved for where nothing wears.
-              const double k = surface.law.archard.wear_coefficient;
-              metric.segment(first, D.size()) =
-                D.cwiseInverse() / (k > 0. ? k : 1.);
             }
           ++b;
         }
@@ -127,32 +142,136 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    ImplicitJump::compute_rate(const double cycles, const Eigen::VectorXd &y)
+    void
+    ImplicitJump::take_contacts(const std::vector<CycleContact> &begin)
     {
-      if (y != last_y || (cycles != last_cycles && !rate_is_constant()))
-        {
-          const std::vector<Eigen::VectorXd> depths = depths_after(y);
-          std::size_t                        b      = 0;
-          for (const WearingBushing &bushing : bushings)
-            {
-              const Multibody::JointDutyCycle &cycle =
-                run->duty_cycle.joint(bushing.name());
-              contacts[b] =
-                bushing.compute_cycle_contact(depths[b],
-                                              cycle,
-                                              &contacts[b],
-                                              run->totals[b].sliding_distance +
-                                                (cycles - run->cycles) *
-                                                  cycle.sliding_distance());
-              ++b;
-            }
-          last_y      = y;
-          last_cycles = cycles;
-          ++n_evaluations;
-        }
+      // Which nodes the last stage held says more than the contacts at the
+      // beginning: where the bore is stiff, what has changed since the last
+      // step decides those.
+      bool is_similar = contacts.size() == begin.size();
+      for (std::size_t b = 0; is_similar && b < begin.size(); ++b)
+        is_similar = contacts[b].samples.size() == begin[b].samples.size();
+      if (!is_similar)
+        contacts = begin;
+    }
 
-      Eigen::VectorXd rate(y.size());
+
+
+    std::optional<Eigen::VectorXd>
+    ImplicitJump::solve_stage(const double           cycles,
+                              const Eigen::VectorXd &a,
+                              const double           gamma,
+                              const Eigen::VectorXd &guess)
+    {
+      const auto norm = [this](const Eigen::VectorXd &v) {
+        return v.cwiseProduct(weights).norm();
+      };
+      Eigen::VectorXd           y = guess;
+      std::vector<CycleContact> best;
+      std::size_t  fewest    = std::numeric_limits<std::size_t>::max();
+      unsigned int n_in_vain = 0;
+      for (unsigned int k = 0; k < max_iterations; ++k)
+        {
+          // Newton's step for all contacts and the wear together: the contacts
+          // at y, what the wear then is, and the contacts there.
+          ++n_evaluations;
+          const Eigen::VectorXd first  = rate_of(hold_nodes(cycles, y));
+          Eigen::MatrixXd       matrix = -gamma * compute_jacobian();
+          matrix.diagonal().array() += 1.;
+          stage_matrix.compute(matrix);
+          y += stage_matrix.solve(a + gamma * first - y);
+
+          contacts                       = hold_nodes(cycles, y);
+          const Eigen::VectorXd rate     = rate_of(contacts);
+          const Eigen::VectorXd residual = a + gamma * rate - y;
+          if (norm(residual) > max_inconsistency * gamma * norm(rate))
+            continue;
+
+          const std::size_t n_wrong = count_wrong_nodes();
+          if (n_wrong == 0)
+            return y + stage_matrix.solve(residual);
+          if (n_wrong < fewest)
+            {
+              fewest    = n_wrong;
+              best      = contacts;
+              n_in_vain = 0;
+            }
+          else if (++n_in_vain == max_in_vain)
+            contacts = best;
+          change_nodes(n_in_vain >= max_in_vain);
+        }
+      return {};
+    }
+
+
+
+    std::vector<CycleContact>
+    ImplicitJump::hold_nodes(const double           cycles,
+                             const Eigen::VectorXd &y) const
+    {
+      const std::vector<Eigen::VectorXd> depths = depths_after(y);
+      std::vector<CycleContact>          result;
+      for (const WearingBushing &bushing : bushings)
+        {
+          const std::size_t                b = result.size();
+          const Multibody::JointDutyCycle &cycle =
+            run->duty_cycle.joint(bushing.name());
+          result.push_back(
+            bushing.compute_held_contact(depths[b],
+                                         cycle,
+                                         contacts[b],
+                                         run->totals[b].sliding_distance +
+                                           (cycles - run->cycles) *
+                                             cycle.sliding_distance()));
+        }
+      return result;
+    }
+
+
+
+    std::size_t
+    ImplicitJump::count_wrong_nodes() const
+    {
+      std::size_t n = 0, b = 0;
+      for (const WearingBushing &bushing : bushings)
+        n += bushing.count_wrong_nodes(contacts[b++]);
+      return n;
+    }
+
+
+
+    void
+    ImplicitJump::change_nodes(const bool one_by_one)
+    {
+      for (CycleContact &contact : contacts)
+        for (Contact::ContactSolution &sample : contact.samples)
+          {
+            const Contact::ActiveSet wrong = Contact::differing_nodes(sample);
+            if (wrong.empty())
+              continue;
+            Contact::ActiveSet next = sample.next_active_set;
+            if (one_by_one)
+              {
+                next.clear();
+                std::set_symmetric_difference(sample.active_set.begin(),
+                                              sample.active_set.end(),
+                                              wrong.end() - 1,
+                                              wrong.end(),
+                                              std::back_inserter(next));
+              }
+            const Eigen::VectorXd forces = sample.nodal_force;
+            sample.nodal_force.setZero();
+            sample.nodal_force(next) = forces(next);
+            sample.active_set        = std::move(next);
+          }
+    }
+
+
+
+    Eigen::VectorXd
+    ImplicitJump::rate_of(const std::vector<CycleContact> &contacts) const
+    {
+      Eigen::VectorXd rate(first_entry.back());
       for (std::size_t b = 0; b < contacts.size(); ++b)
         rate.segment(first_entry[b], first_entry[b + 1] - first_entry[b]) =
           contacts[b].removed_area;
@@ -161,23 +280,11 @@ namespace Tribody
 
 
 
-    bool
-    ImplicitJump::rate_is_constant() const
-    {
-      for (const WearingBushing &bushing : bushings)
-        for (const WearingSurface &surface : bushing.surfaces())
-          if (!surface.law.is_constant())
-            return false;
-      return true;
-    }
-
-
-
     Eigen::MatrixXd
     ImplicitJump::compute_jacobian() const
     {
       Eigen::MatrixXd jacobian =
-        Eigen::MatrixXd::Zero(last_y.size(), last_y.size());
+        Eigen::MatrixXd::Zero(first_entry.back(), first_entry.back());
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
         {
@@ -194,22 +301,20 @@ namespace Tribody
 
     std::vector<StepError>
     ImplicitJump::estimate_error(
-      const std::vector<CycleContact> &contacts_after)
+      const std::vector<CycleContact> &contacts_after,
+      const double                     cycles_kept)
     {
-      // What the integrator estimates, and half a step's worth of what the new
-      // duty cycle and compliance change in the rate, as far as the wear under
-      // way does not level it again.
+      // What the integrator estimates, and half of what the new duty cycle and
+      // compliance change in the rate, times the cycles that they were kept
+      // for, as far as the wear under way does not level it again.
       const Eigen::VectorXd local = integrator.local_error();
-      Eigen::VectorXd       change(first_entry.back());
-      for (std::size_t b = 0; b < contacts_after.size(); ++b)
-        change.segment(first_entry[b], first_entry[b + 1] - first_entry[b]) =
-          contacts_after[b].removed_area;
-      const Eigen::VectorXd lag =
-        integrator.damp(0.5 * last_step * (change - integrator.end_rate()));
+      rate_change =
+        stage_matrix.solve(rate_of(contacts_after) - integrator.end_rate());
+      const Eigen::VectorXd lag = 0.5 * cycles_kept * rate_change;
 
       const double relative_lag = lag.cwiseProduct(weights).norm();
       max_step                  = relative_lag > 0.
-                                    ? 0.9 * last_step * std::sqrt(tolerance / relative_lag)
+                                    ? 0.9 * cycles_kept * std::sqrt(tolerance / relative_lag)
                                     : 0.;
 
       std::vector<StepError> errors;

@@ -255,11 +255,18 @@ namespace Tribody
 
       while (state.cycles < parameters.cycles)
         {
-          const int reached = take_wear_step(recorder.next_output());
+          const double cycles_before = state.cycles;
+          const int    reached       = take_wear_step(recorder.next_output());
           follow_on_coarse_meshes();
-          run_dynamics();
+          double cycles_kept = state.cycles - cycles_before;
+          if (reached >= 0 || state.cycles >= parameters.cycles ||
+              dynamics_is_due())
+            {
+              cycles_kept = state.cycles - cycles_at_dynamics;
+              run_dynamics();
+            }
           solve_contacts();
-          estimate_error();
+          estimate_error(cycles_kept);
           if (reached >= 0)
             {
               record_fields(recorder);
@@ -382,11 +389,11 @@ namespace Tribody
 
 
     void
-    WearSimulation::estimate_error()
+    WearSimulation::estimate_error(const double cycles_kept)
     {
       // Absolute values: an oscillation must not cancel in the sum.
       const std::vector<StepError> errors =
-        jump->estimate_error(state.contacts);
+        jump->estimate_error(state.contacts, cycles_kept);
       for (std::size_t b = 0; b < state.totals.size(); ++b)
         {
           state.totals[b].depth_error += errors[b].depth.cwiseAbs();
@@ -415,6 +422,11 @@ namespace Tribody
       });
       take_forces_of_first_rank();
 
+      cycles_at_dynamics = state.cycles;
+      depths_at_dynamics.clear();
+      for (const WearingBushing &bushing : bushings)
+        depths_at_dynamics.push_back(bushing.depth());
+
       const Multibody::SettlingReport &settling = state.duty_cycle.settling;
       state.counts.dynamics_cycles += settling.n_cycles;
       if (!settling.message.empty() && state.settling_message.empty())
@@ -434,6 +446,24 @@ namespace Tribody
       state.all_settled = state.all_settled && settling.converged;
       for (std::size_t j = 0; j < state.contact_losses.size(); ++j)
         state.contact_losses[j] += state.duty_cycle.joints[j].n_losses;
+    }
+
+
+
+    bool
+    WearSimulation::dynamics_is_due() const
+    {
+      bool        is_due = false;
+      std::size_t b      = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          const Eigen::VectorXd depth = bushing.depth();
+          const double          change =
+            (depth - depths_at_dynamics[b++]).lpNorm<Eigen::Infinity>();
+          is_due = is_due || change > parameters.wear.dynamics_update *
+                                        bushing.largest_clearance(depth);
+        }
+      return is_due;
     }
 
 

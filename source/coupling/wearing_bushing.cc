@@ -74,6 +74,44 @@ namespace Tribody
       const CycleContact              *similar,
       const double                     sliding_distance) const
     {
+      return compute_contact(
+        depth, cycle, similar, Nodes::solved, sliding_distance);
+    }
+
+
+
+    CycleContact
+    WearingBushing::compute_held_contact(const Eigen::VectorXd           &depth,
+                                         const Multibody::JointDutyCycle &cycle,
+                                         const CycleContact              &held,
+                                         const double sliding_distance) const
+    {
+      return compute_contact(
+        depth, cycle, &held, Nodes::held, sliding_distance);
+    }
+
+
+
+    std::size_t
+    WearingBushing::count_wrong_nodes(const CycleContact &contact) const
+    {
+      const Ranks::Range own =
+        Ranks::share(contact.samples.size(), communicator);
+      std::size_t n = 0;
+      for (Eigen::Index j = own.begin; j < own.end; ++j)
+        n += Contact::differing_nodes(contact.samples[j]).size();
+      return dealii::Utilities::MPI::sum(n, communicator);
+    }
+
+
+
+    CycleContact
+    WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
+                                    const Multibody::JointDutyCycle &cycle,
+                                    const CycleContact              *similar,
+                                    const Nodes                      nodes,
+                                    const double sliding_distance) const
+    {
       Wear::WearProfile worn = wear_profile;
       worn.depth             = surfaces().front().part_of(depth);
 
@@ -126,9 +164,11 @@ namespace Tribody
             if (pin)
               solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
             Contact::ContactSolution &solution = contact.samples[j];
-            solution =
-              solver.solve_force_controlled(force_per_length(cycle, j), start);
-            AssertThrow(solution.report.converged,
+            const Eigen::Vector2d     force    = force_per_length(cycle, j);
+            solution                           = nodes == Nodes::held
+                                                   ? solver.solve_held(force, *start)
+                                                   : solver.solve_force_controlled(force, start);
+            AssertThrow(nodes == Nodes::held || solution.report.converged,
                         ExcRun(unsolved_contact(cycle, j, solution.report)));
 
             add_wear(contact, j);

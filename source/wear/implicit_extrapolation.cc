@@ -1,8 +1,8 @@
-#include <Eigen/LU>
 #include <arkode/arkode_arkstep.h>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
-#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_nonlinearsolver.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/wear/implicit_extrapolation.h>
@@ -18,6 +18,20 @@ namespace Tribody
 {
   namespace Wear
   {
+    namespace
+    {
+      using View = Eigen::Map<Eigen::VectorXd>;
+
+      View
+      view_of(const N_Vector x)
+      {
+        return {N_VGetArrayPointer(x),
+                static_cast<Eigen::Index>(N_VGetLength(x))};
+      }
+    } // namespace
+
+
+
     struct ImplicitExtrapolation::Memory
     {
       Memory(const WearEquation &equation, const double tolerance)
@@ -28,7 +42,7 @@ namespace Tribody
       ~Memory()
       {
         ARKStepFree(&arkode);
-        SUNLinSolFreeEmpty(linear_solver);
+        SUNNonlinSolFreeEmpty(stage_solver);
         N_VDestroy(view);
         SUNContext_Free(&context);
       }
@@ -36,19 +50,21 @@ namespace Tribody
       void
       create(const double start_cycles);
 
-      /// Take from a stage that has been solved what the next one starts from.
-      void
-      finish_stage();
+      /// Solve the stage that ARKODE is at; its correction of the prediction.
+      int
+      solve_stage(View correction);
 
-      /**
-       * Newton's correction for the residual -@p b at the last iterate. If the
-       * correction before has led beyond the minimum of the convex function
-       * whose gradient the residual is, the way back to the minimum on its line
-       * (secant) comes first: between two active sets the plain iteration may
-       * go to and fro for ever.
-       */
-      Eigen::VectorXd
-      newton_correction(Eigen::VectorXd b, const double gamma);
+      /// The largest of the events; negative before any has happened.
+      double
+      largest_event() const;
+
+      /// One step, not beyond @p end, and what it proposes for the next one.
+      void
+      take_step(const double end);
+
+      /// The last step once more, @p n_cycles long. @return the largest event.
+      double
+      retake_step(const double n_cycles);
 
       /// Throw what a callback threw, or translate a return code.
       void
@@ -61,46 +77,27 @@ namespace Tribody
       double          cycles = 0.;
       Eigen::VectorXd y;
       Eigen::VectorXd weights;
-      Eigen::VectorXd metric;
 
       /// Where the last step began, and the step that was to follow it.
       double          step_start = 0.;
       Eigen::VectorXd y_start;
       double          proposal = 0.;
-      /// The last iterate, its rate and the correction that solved for it.
-      Eigen::VectorXd                      iterate;
-      Eigen::VectorXd                      rate;
-      Eigen::MatrixXd                      jacobian;
-      Eigen::PartialPivLU<Eigen::MatrixXd> newton_matrix;
-      Eigen::VectorXd                      residual;
-      Eigen::VectorXd                      correction;
-      /// Slope of the line that Newton's iteration starts from; empty at first.
-      Eigen::VectorXd slope;
-      bool            stage_solved = false;
-      double          stage_cycles = 0.;
+      /// Given at the beginning of the step, and found by the last stage.
+      Eigen::VectorXd start_rate;
       Eigen::VectorXd end_rate;
+      /// Slope of the line that guesses are on; empty at first.
+      Eigen::VectorXd slope;
 
-      SUNContext      context       = nullptr;
-      void           *arkode        = nullptr;
-      N_Vector        view          = nullptr; ///< of y
-      SUNLinearSolver linear_solver = nullptr;
+      SUNContext         context      = nullptr;
+      void              *arkode       = nullptr;
+      N_Vector           view         = nullptr; ///< of y
+      SUNNonlinearSolver stage_solver = nullptr;
     };
 
 
 
     namespace
     {
-      using View = Eigen::Map<Eigen::VectorXd>;
-
-      View
-      view_of(const N_Vector x)
-      {
-        return {N_VGetArrayPointer(x),
-                static_cast<Eigen::Index>(N_VGetLength(x))};
-      }
-
-
-
       // Exceptions must not pass through C: kept, and rethrown by check().
       template <typename Function>
       int
@@ -120,29 +117,13 @@ namespace Tribody
 
 
 
+      // ARKODE asks for it at the beginning of a step only.
       template <typename Memory>
       int
-      rate_callback(realtype cycles, N_Vector y, N_Vector rate, void *data)
+      rate_callback(realtype, N_Vector, N_Vector rate, void *data)
       {
-        Memory &memory = *static_cast<Memory *>(data);
-        return guarded(memory.exception, [&]() {
-          memory.iterate = view_of(y);
-          memory.rate    = memory.equation.rate(cycles, memory.iterate);
-          view_of(rate)  = memory.rate;
-        });
-      }
-
-
-
-      template <typename Memory>
-      int
-      event_callback(realtype, N_Vector y, realtype *values, void *data)
-      {
-        Memory &memory = *static_cast<Memory *>(data);
-        return guarded(memory.exception, [&]() {
-          View(values, memory.equation.n_events) =
-            memory.equation.events(view_of(y));
-        });
+        view_of(rate) = static_cast<Memory *>(data)->start_rate;
+        return 0;
       }
 
 
@@ -161,56 +142,45 @@ namespace Tribody
 
 
 
-      // On the line through the beginning of the step and the last stage; for
-      // the first stage, through the step before.
-      template <typename Memory>
-      int
-      predict_callback(realtype cycles, N_Vector prediction, void *data)
+      SUNNonlinearSolver_Type
+      solver_type(SUNNonlinearSolver)
       {
-        Memory &memory = *static_cast<Memory *>(data);
-        memory.finish_stage();
-        memory.stage_solved = false;
-        memory.stage_cycles = cycles;
-        if (memory.slope.size() > 0)
-          view_of(prediction) =
-            memory.y_start + (cycles - memory.step_start) * memory.slope;
-        return 0;
+        return SUNNONLINEARSOLVER_ROOTFIND;
       }
 
 
 
-      SUNLinearSolver_Type
-      solver_type(SUNLinearSolver)
+      // The residual that ARKODE offers is not needed.
+      int
+      ignore_residual(SUNNonlinearSolver, SUNNonlinSolSysFn)
       {
-        return SUNLINEARSOLVER_MATRIX_EMBEDDED;
+        return SUN_NLS_SUCCESS;
       }
 
 
 
-      // (I - gamma J) x = b with J at the iterate whose residual is b: ARKODE
-      // has just evaluated it.
       template <typename Memory>
       int
-      solve_callback(SUNLinearSolver solver,
-                     SUNMatrix,
-                     N_Vector x,
-                     N_Vector b,
-                     realtype)
+      solve_callback(SUNNonlinearSolver solver,
+                     N_Vector,
+                     N_Vector correction,
+                     N_Vector,
+                     realtype,
+                     booleantype,
+                     void *)
       {
-        Memory &memory = *static_cast<Memory *>(solver->content);
-        return guarded(memory.exception, [&]() {
-          double gamma = 0.;
-          memory.check(ARKStepGetCurrentGamma(memory.arkode, &gamma),
-                       "ARKStepGetCurrentGamma");
-          view_of(x) = memory.newton_correction(view_of(b), gamma);
+        Memory   &memory  = *static_cast<Memory *>(solver->content);
+        int       status  = SUN_NLS_SUCCESS;
+        const int failure = guarded(memory.exception, [&]() {
+          status = memory.solve_stage(view_of(correction));
         });
+        return failure < 0 ? SUN_NLS_EXT_FAIL : status;
       }
 
 
 
-      // Part of the slope along a correction, with the opposite sign, that is
-      // tolerated at its end.
-      constexpr double max_overshoot = 0.3;
+      // What an event may be off by where it ends the integration.
+      constexpr double event_tolerance = 1e-10;
 
 
 
@@ -221,47 +191,34 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    ImplicitExtrapolation::Memory::newton_correction(Eigen::VectorXd b,
-                                                     const double    gamma)
+    int
+    ImplicitExtrapolation::Memory::solve_stage(View correction)
     {
-      Eigen::VectorXd way_back = Eigen::VectorXd::Zero(b.size());
-      if (stage_solved)
-        {
-          const double before = correction.cwiseProduct(metric).dot(residual);
-          const double after  = correction.cwiseProduct(metric).dot(b);
-          if (after < -max_overshoot * before)
-            {
-              way_back = -std::min(0.9, after / (after - before)) * correction;
-              const Eigen::VectorXd rate_there = rate;
-              iterate += way_back;
-              rate = equation.rate(stage_cycles, iterate);
-              b += gamma * (rate - rate_there) - way_back;
-            }
-        }
+      // y = prediction + correction, correction = data + gamma W(y).
+      double   stage_cycles = 0., gamma = 0.;
+      N_Vector prediction = nullptr, data = nullptr, ignored = nullptr;
+      void    *user_data = nullptr;
+      check(ARKStepGetNonlinearSystemData(arkode,
+                                          &stage_cycles,
+                                          &prediction,
+                                          &ignored,
+                                          &ignored,
+                                          &gamma,
+                                          &data,
+                                          &user_data),
+            "ARKStepGetNonlinearSystemData");
+      const Eigen::VectorXd a     = view_of(prediction) + view_of(data);
+      Eigen::VectorXd       guess = y_start;
+      if (slope.size() > 0)
+        guess += (stage_cycles - step_start) * slope;
 
-      jacobian               = equation.jacobian();
-      Eigen::MatrixXd matrix = -gamma * jacobian;
-      matrix.diagonal().array() += 1.;
-      newton_matrix.compute(matrix);
-      residual     = b;
-      correction   = newton_matrix.solve(residual);
-      stage_solved = true;
-      // ARKODE sees the sum, and a small sum would be convergence.
-      if ((way_back + correction).norm() < 0.5 * way_back.norm())
-        correction *= 0.5;
-      return way_back + correction;
-    }
-
-
-
-    void
-    ImplicitExtrapolation::Memory::finish_stage()
-    {
-      if (!stage_solved)
-        return;
-      slope = (iterate + correction - y_start) / (stage_cycles - step_start);
-      stage_solved = false;
+      const auto solution = equation.solve_stage(stage_cycles, a, gamma, guess);
+      if (!solution.has_value())
+        return SUN_NLS_CONV_RECVR;
+      correction = *solution - view_of(prediction);
+      end_rate   = (*solution - a) / gamma;
+      slope      = (*solution - y_start) / (stage_cycles - step_start);
+      return SUN_NLS_SUCCESS;
     }
 
 
@@ -292,12 +249,13 @@ namespace Tribody
       view   = N_VMake_Serial(y.size(), y.data(), context);
       arkode = ARKStepCreate(
         nullptr, rate_callback<Memory>, start_cycles, view, context);
-      linear_solver = SUNLinSolNewEmpty(context);
-      AssertThrow(arkode != nullptr && linear_solver != nullptr,
+      stage_solver = SUNNonlinSolNewEmpty(context);
+      AssertThrow(arkode != nullptr && stage_solver != nullptr,
                   ExcRun("SUNDIALS could not allocate its memory."));
-      linear_solver->content      = this;
-      linear_solver->ops->gettype = solver_type;
-      linear_solver->ops->solve   = solve_callback<Memory>;
+      stage_solver->content       = this;
+      stage_solver->ops->gettype  = solver_type;
+      stage_solver->ops->setsysfn = ignore_residual;
+      stage_solver->ops->solve    = solve_callback<Memory>;
 
       check(ARKStepSetErrHandlerFn(arkode, silent, nullptr),
             "ARKStepSetErrHandlerFn");
@@ -305,30 +263,19 @@ namespace Tribody
       check(ARKStepWFtolerances(arkode, weight_callback<Memory>),
             "ARKStepWFtolerances");
       check(ARKStepSetTableNum(arkode,
-                               ARKODE_ESDIRK325L2SA_5_2_3,
+                               ARKODE_ESDIRK32I5L2SA_5_2_3,
                                ARKODE_ERK_NONE),
             "ARKStepSetTableNum");
       // Every step is the first one of its equation: no history for a
       // controller that looks further back.
       check(ARKStepSetAdaptivityMethod(arkode, ARK_ADAPT_I, 1, 0, nullptr),
             "ARKStepSetAdaptivityMethod");
-      // What Newton leaves stands in the pressure, and no error estimate sees
-      // it.
-      check(ARKStepSetNonlinConvCoef(arkode, 0.02), "ARKStepSetNonlinConvCoef");
-      check(ARKStepSetStagePredictFn(arkode, predict_callback<Memory>),
-            "ARKStepSetStagePredictFn");
-      check(ARKStepSetLinearSolver(arkode, linear_solver, nullptr),
-            "ARKStepSetLinearSolver");
+      check(ARKStepSetNonlinearSolver(arkode, stage_solver),
+            "ARKStepSetNonlinearSolver");
       // The slope at a solved stage follows from the stage: no evaluation, and
-      // no amplification of what Newton left.
+      // no amplification of what its solution left.
       check(ARKStepSetDeduceImplicitRhs(arkode, SUNTRUE),
             "ARKStepSetDeduceImplicitRhs");
-      check(ARKStepSetMaxNonlinIters(arkode, 15), "ARKStepSetMaxNonlinIters");
-      if (equation.n_events > 0)
-        check(ARKStepRootInit(arkode,
-                              equation.n_events,
-                              event_callback<Memory>),
-              "ARKStepRootInit");
     }
 
 
@@ -347,22 +294,21 @@ namespace Tribody
     void
     ImplicitExtrapolation::start(const double           cycles,
                                  const Eigen::VectorXd &y,
+                                 const Eigen::VectorXd &rate,
                                  const Eigen::VectorXd &weights,
-                                 const Eigen::VectorXd &metric,
                                  const double           max_step)
     {
       Memory &m    = *memory;
       m.cycles     = cycles;
       m.y          = y;
       m.weights    = weights;
-      m.metric     = metric;
       m.step_start = cycles;
       m.y_start    = y;
+      m.start_rate = rate;
       if (m.arkode == nullptr)
         {
           m.create(cycles);
-          const double change =
-            m.equation.rate(cycles, y).cwiseProduct(weights).norm();
+          const double change = rate.cwiseProduct(weights).norm();
           if (change > 0.)
             m.proposal = 1. / change;
         }
@@ -375,27 +321,75 @@ namespace Tribody
 
 
 
+    double
+    ImplicitExtrapolation::Memory::largest_event() const
+    {
+      return equation.n_events > 0 ? equation.events(y).maxCoeff() : -1.;
+    }
+
+
+
+    void
+    ImplicitExtrapolation::Memory::take_step(const double end)
+    {
+      check(ARKStepSetStopTime(arkode, end), "ARKStepSetStopTime");
+      check(ARKStepEvolve(arkode, end, view, &cycles, ARK_ONE_STEP),
+            "ARKStepEvolve");
+      double last_step = 0., next_step = 0.;
+      check(ARKStepGetLastStep(arkode, &last_step), "ARKStepGetLastStep");
+      check(ARKStepGetCurrentStep(arkode, &next_step), "ARKStepGetCurrentStep");
+      // A step that was cut short to end where it had to says little about the
+      // next one.
+      proposal = last_step < proposal && cycles == end
+                   ? std::max(proposal, next_step)
+                   : next_step;
+    }
+
+
+
+    double
+    ImplicitExtrapolation::Memory::retake_step(const double n_cycles)
+    {
+      y      = y_start;
+      cycles = step_start;
+      check(ARKStepReset(arkode, cycles, view), "ARKStepReset");
+      check(ARKStepSetInitStep(arkode, n_cycles), "ARKStepSetInitStep");
+      take_step(step_start + n_cycles);
+      return largest_event();
+    }
+
+
+
     bool
     ImplicitExtrapolation::step(const double end)
     {
       Memory &m = *memory;
-      m.check(ARKStepSetStopTime(m.arkode, end), "ARKStepSetStopTime");
-      const int flag =
-        ARKStepEvolve(m.arkode, end, m.view, &m.cycles, ARK_ONE_STEP);
-      m.check(flag, "ARKStepEvolve");
+      // ARKODE would ask for the rate at the end of the step before.
+      if (m.cycles != m.step_start)
+        start(m.cycles,
+              Eigen::VectorXd(m.y),
+              Eigen::VectorXd(m.end_rate),
+              Eigen::VectorXd(m.weights));
+      const double before = m.largest_event();
+      m.take_step(end);
+      double value = m.largest_event();
+      if (value < 0. || before >= 0.)
+        return value >= 0.;
 
-      m.finish_stage();
-      m.end_rate       = m.rate + m.jacobian * m.correction;
-      double last_step = 0., next_step = 0.;
-      m.check(ARKStepGetLastStep(m.arkode, &last_step), "ARKStepGetLastStep");
-      m.check(ARKStepGetCurrentStep(m.arkode, &next_step),
-              "ARKStepGetCurrentStep");
-      // A step that was cut short to end where it had to says little about the
-      // next one.
-      m.proposal = last_step < m.proposal && m.cycles == end
-                     ? std::max(m.proposal, next_step)
-                     : next_step;
-      return flag == ARK_ROOT_RETURN;
+      // The step itself is taken again, as long as it may be: what ARKODE
+      // interpolates within a step is less accurate than its end.
+      boost::uintmax_t max_steps = 50;
+      boost::math::tools::toms748_solve(
+        [&](const double n_cycles) { return value = m.retake_step(n_cycles); },
+        0.,
+        m.cycles - m.step_start,
+        before,
+        value,
+        [&](const double, const double) {
+          return std::abs(value) < event_tolerance;
+        },
+        max_steps);
+      return true;
     }
 
 
@@ -435,12 +429,5 @@ namespace Tribody
       return memory->end_rate;
     }
 
-
-
-    Eigen::VectorXd
-    ImplicitExtrapolation::damp(const Eigen::VectorXd &perturbation) const
-    {
-      return memory->newton_matrix.solve(perturbation);
-    }
   } // namespace Wear
 } // namespace Tribody

@@ -1,5 +1,7 @@
 #include <tribody/wear/wear_law.h>
 
+#include <cmath>
+
 namespace Tribody
 {
   namespace Wear
@@ -29,8 +31,9 @@ namespace Tribody
         (archard.wear_coefficient * sliding.increment) * nodal_forces;
       if (!is_constant())
         for (Eigen::Index i = 0; i < areas.size(); ++i)
-          if (areas[i] > 0.)
-            areas[i] *= evaluate(nodal_forces[i] / weights[i], sliding).value;
+          if (areas[i] != 0.)
+            areas[i] *=
+              evaluate(std::abs(nodal_forces[i]) / weights[i], sliding).value;
       return areas;
     }
 
@@ -42,14 +45,19 @@ namespace Tribody
                               const Sliding         &sliding) const
     {
       // A = k ds f(p) lambda with p = lambda/w.
-      Eigen::VectorXd derivatives = Eigen::VectorXd::Zero(nodal_forces.size());
+      const double    k = archard.wear_coefficient * sliding.increment;
+      Eigen::VectorXd derivatives =
+        Eigen::VectorXd::Constant(nodal_forces.size(), k);
+      if (is_constant())
+        return derivatives;
       for (Eigen::Index i = 0; i < derivatives.size(); ++i)
-        if (nodal_forces[i] > 0.)
+        if (nodal_forces[i] == 0.)
+          derivatives[i] = 0.;
+        else
           {
-            const double      pressure = nodal_forces[i] / weights[i];
+            const double      pressure = std::abs(nodal_forces[i]) / weights[i];
             const FactorValue f        = evaluate(pressure, sliding);
-            derivatives[i] = archard.wear_coefficient * sliding.increment *
-                             (f.value + pressure * f.d_pressure);
+            derivatives[i] = k * (f.value + pressure * f.d_pressure);
           }
       return derivatives;
     }

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 using namespace Tribody;
 using namespace Tribody::Wear;
@@ -63,16 +64,18 @@ namespace
   WearEquation
   make_equation(const Problem &problem, const double limit)
   {
-    return {[&problem](const double, const Eigen::VectorXd &y) {
-              Eigen::VectorXd rate(n + 1);
-              rate << -problem.matrix() * (y.head(n) - y[n] * problem.load), 1.;
-              return rate;
-            },
-            [&problem]() {
-              Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n + 1, n + 1);
-              jacobian.topLeftCorner(n, n) = -problem.matrix();
-              jacobian.col(n).head(n)      = problem.matrix() * problem.load;
-              return jacobian;
+    return {[&problem](const double,
+                       const Eigen::VectorXd &a,
+                       const double           gamma,
+                       const Eigen::VectorXd &) {
+              Eigen::VectorXd y(n + 1);
+              y[n] = a[n] + gamma;
+              y.head(n) =
+                (Eigen::MatrixXd::Identity(n, n) + gamma * problem.matrix())
+                  .ldlt()
+                  .solve(a.head(n) +
+                         gamma * y[n] * problem.matrix() * problem.load);
+              return std::optional<Eigen::VectorXd>(y);
             },
             [limit](const Eigen::VectorXd &y) {
               return Eigen::VectorXd(
@@ -93,13 +96,14 @@ main()
   // count.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(n + 1);
   weights.head(n).setConstant(1. / problem.depth(end).maxCoeff());
-  const Eigen::VectorXd metric = weights.cwiseAbs2();
+  Eigen::VectorXd first_rate = Eigen::VectorXd::Zero(n + 1);
+  first_rate[n]              = 1.;
 
   double previous_error = 1.;
   for (const double tolerance : {1e-2, 1e-3, 1e-4})
     {
       ImplicitExtrapolation integrator(make_equation(problem, 1.), tolerance);
-      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights, metric);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1), first_rate, weights);
       unsigned int n_steps = 0;
       while (integrator.cycles() < end)
         {
@@ -120,27 +124,38 @@ main()
     }
 
   // Stop where the largest depth passes the value that the closed form has at
-  // 5000 cycles.
-  {
-    const double          limit = problem.depth(5000.).maxCoeff();
-    ImplicitExtrapolation integrator(make_equation(problem, limit), 1e-6);
-    integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights, metric);
-    bool stopped = false;
-    while (!stopped && integrator.cycles() < end)
-      stopped = integrator.step(end);
-    std::cout << "event found: " << stopped << ", within 1e-3 of its place: "
-              << (std::abs(integrator.cycles() / 5000. - 1.) < 1e-3)
-              << std::endl;
-  }
+  // 5000 cycles: at the value itself, whatever the tolerance, and at the cycle
+  // as exactly as the tolerance says.
+  for (const double tolerance : {1e-4, 1e-7})
+    {
+      const double          limit = problem.depth(5000.).maxCoeff();
+      ImplicitExtrapolation integrator(make_equation(problem, limit),
+                                       tolerance);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1), first_rate, weights);
+      bool stopped = false;
+      while (!stopped && integrator.cycles() < end)
+        stopped = integrator.step(end);
+      const double error = integrator.state().head(n).maxCoeff() / limit - 1.;
+      std::cout << "tolerance " << tolerance << ": event found: " << stopped
+                << ", to 1e-9: " << (std::abs(error) < 1e-9)
+                << ", within ten tolerances of its place: "
+                << (std::abs(integrator.cycles() / 5000. - 1.) <
+                    10. * tolerance)
+                << std::endl;
+    }
 
   WearEquation broken = make_equation(problem, 1.);
-  broken.rate = [](const double, const Eigen::VectorXd &) -> Eigen::VectorXd {
+  broken.solve_stage =
+    [](const double,
+       const Eigen::VectorXd &,
+       const double,
+       const Eigen::VectorXd &) -> std::optional<Eigen::VectorXd> {
     throw ExcRun("no rate today");
   };
   try
     {
       ImplicitExtrapolation integrator(broken, 5e-3);
-      integrator.start(0., Eigen::VectorXd::Zero(n + 1), weights, metric);
+      integrator.start(0., Eigen::VectorXd::Zero(n + 1), first_rate, weights);
       integrator.step(end);
       std::cout << "NO EXCEPTION" << std::endl;
     }

@@ -36,10 +36,18 @@ namespace Tribody
       /// Force of the pin on the bushing per axial length [N/m].
       Eigen::Vector2d force = Eigen::Vector2d::Zero();
       ActiveSet       active_set;
+      /// The nodes that an iteration of the active sets would take next: the
+      /// same if the contact is solved.
+      ActiveSet next_active_set;
       /// See contact_half_angle() [rad].
       double       half_angle = 0.;
       SolverReport report;
     };
+
+    /// Nodes that are held though the next active set has them free, or the
+    /// other way round, ascending.
+    ActiveSet
+    differing_nodes(const ContactSolution &solution);
 
     /// Replace @p solution by that of rank @p root of @p communicator, on whose
     /// ranks all must know the same bore.

@@ -96,6 +96,19 @@ namespace Tribody
       double
       stored_energy(const ContactSolution &solution) const;
 
+      /**
+       * One iteration of the active sets, for callers who iterate on more than
+       * this contact: exactly the nodes of @p start.active_set are held on the
+       * pin, even if that takes tension, and the force is balanced.
+       *
+       * @return what follows; it solves the contact problem if its
+       *   next_active_set is its active_set. If @p start holds nothing, or what
+       *   it holds cannot carry the force, solve_force_controlled().
+       */
+      ContactSolution
+      solve_held(const Eigen::Vector2d &force_per_length,
+                 const ContactSolution &start);
+
     private:
       /// What the iterations change, and what follows from it.
       struct Iterate

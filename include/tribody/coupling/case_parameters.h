@@ -36,6 +36,9 @@ namespace Tribody
       double compliance_update = 0.005;
       /// "none", "first cycle" or "whole run".
       std::string mesh_error_estimate = "first cycle";
+      /// Change of the profile, as a fraction of the largest clearance of the
+      /// worn joint, after which the dynamics is run anew [-].
+      double dynamics_update = 0.01;
 
       /// Declares in the current subsection, "Wear".
       void

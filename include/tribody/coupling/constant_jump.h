@@ -28,7 +28,8 @@ namespace Tribody
       advance(RunState &state, const double end) override;
 
       std::vector<StepError>
-      estimate_error(const std::vector<CycleContact> &contacts_after) override;
+      estimate_error(const std::vector<CycleContact> &contacts_after,
+                     const double                     cycles_kept) override;
 
       unsigned int
       n_rate_evaluations() const override
@@ -44,7 +45,6 @@ namespace Tribody
       bool   keep_first_rate;
       /// Compliance builds that the stable length belongs to.
       unsigned int stable_step_builds = 0;
-      double       last_step          = 0.;
       /// At the start of the last step, and those whose rates it took.
       std::vector<CycleContact> contacts_before;
       std::vector<CycleContact> used_contacts;

@@ -47,10 +47,18 @@ namespace Tribody
        * Estimate of the error of the last step, one value per bushing, now that
        * @p contacts_after are known: those at its end, under the duty cycle and
        * with the compliance that belong to the new shape.
+       *
+       * @param cycles_kept since the duty cycle was renewed last, at least the
+       *   last step; if contacts_after are still under the old one, the last
+       *   step.
        */
       virtual std::vector<StepError>
-      estimate_error(const std::vector<CycleContact> &contacts_after) = 0;
+      estimate_error(const std::vector<CycleContact> &contacts_after,
+                     const double                     cycles_kept) = 0;
 
+      /// How often the wear of a cycle was computed. An iteration of a stage
+      /// counts as one: it solves twice with the nodes in contact given, where
+      /// a contact problem takes at least as many iterations.
       virtual unsigned int
       n_rate_evaluations() const = 0;
 

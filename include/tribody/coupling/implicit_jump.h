@@ -1,10 +1,13 @@
 #ifndef tribody_coupling_implicit_jump_h
 #define tribody_coupling_implicit_jump_h
 
+#include <Eigen/LU>
+
 #include <tribody/coupling/cycle_jump.h>
 #include <tribody/wear/implicit_extrapolation.h>
 
 #include <list>
+#include <optional>
 #include <vector>
 
 namespace Tribody
@@ -17,6 +20,17 @@ namespace Tribody
      * began, and the depth follows from it: so the volume that bushings and
      * pins lose is what the wear law has removed, however long the step.
      *
+     * A stage @f$ y = a + \gamma W(y) @f$ is the contact problem of all samples
+     * of the cycle together, with the wear as one more way in which the bore
+     * gives way. It is solved as such by the primal-dual active set method:
+     * the nodes in contact are given in each sample, forces and wear follow
+     * from linear equations (up to the curvature of the exact gap), and from
+     * the forces and gaps the nodes that should be in contact. If their number
+     * of errors does not fall, they are changed one by one
+     * (@cite portugal1994). Contact problems that are solved for a given wear
+     * would be ill-posed where the bore is stiff: forces over displacements
+     * that the wear decides.
+     *
      * The error of the depth counts as
      * @f[ \frac{1}{h_\text{max}} \sqrt{\frac{\int e^2\,ds}{\ell}}, \qquad
      *     \ell = \frac{\int h\,ds}{h_\text{max}}, @f]
@@ -25,11 +39,9 @@ namespace Tribody
      * norm in which the equation of wear is contractive (its Jacobian is
      * symmetric in it and nowhere positive): what one step leaves, later ones
      * do not enlarge. With both surfaces the equation is contractive in
-     * @f$ \sum_i y_i^2/(k_i D_i) @f$, each surface with its own coefficient k.
-     * That norm is the metric of Newton's line search; measured in it the
-     * surface that wears less would set the steps for both. If k depends on
-     * the pressure no such norm is known: the search is then a safeguard
-     * without a proof.
+     * @f$ \sum_i y_i^2/(k_i D_i) @f$, each surface with its own coefficient k;
+     * measured in it the surface that wears less would set the steps for both.
+     * If k depends on the pressure no such norm is known.
      */
     class ImplicitJump : public CycleJump
     {
@@ -43,7 +55,8 @@ namespace Tribody
       advance(RunState &state, const double end) override;
 
       std::vector<StepError>
-      estimate_error(const std::vector<CycleContact> &contacts_after) override;
+      estimate_error(const std::vector<CycleContact> &contacts_after,
+                     const double                     cycles_kept) override;
 
       unsigned int
       n_rate_evaluations() const override
@@ -55,19 +68,41 @@ namespace Tribody
       Wear::WearEquation
       make_equation();
 
-      Eigen::VectorXd
-      compute_rate(const double cycles, const Eigen::VectorXd &y);
+      std::optional<Eigen::VectorXd>
+      solve_stage(const double           cycles,
+                  const Eigen::VectorXd &a,
+                  const double           gamma,
+                  const Eigen::VectorXd &guess);
 
-      /// Whether the rate at a given y does not depend on the cycles.
-      bool
-      rate_is_constant() const;
+      /// One step of the contacts after the wear @p y at @p cycles from
+      /// #contacts, with the nodes held that those name.
+      std::vector<CycleContact>
+      hold_nodes(const double cycles, const Eigen::VectorXd &y) const;
 
+      /// Over all samples, held though they should not be, or the other way
+      /// round.
+      std::size_t
+      count_wrong_nodes() const;
+
+      /// Go on to the nodes that should be held, or change one of them in each
+      /// sample.
+      void
+      change_nodes(const bool one_by_one);
+
+      /// dW/dy with the nodes held that #contacts name.
       Eigen::MatrixXd
       compute_jacobian() const;
 
-      /// What an error of y counts, and the metric of the equation.
+      /// What an error of y counts.
       void
-      compute_weights();
+      compute_weights(const std::vector<CycleContact> &contacts);
+
+      /// Begin the iterations with @p begin, or with what is better.
+      void
+      take_contacts(const std::vector<CycleContact> &begin);
+
+      Eigen::VectorXd
+      rate_of(const std::vector<CycleContact> &contacts) const;
 
       std::vector<Eigen::VectorXd>
       depths_after(const Eigen::VectorXd &y) const;
@@ -81,16 +116,16 @@ namespace Tribody
       std::vector<Eigen::Index>   first_entry;
       Wear::ImplicitExtrapolation integrator;
       const RunState             *run = nullptr;
-      /// The last state whose rate was computed, and its contacts.
-      double                    last_cycles = 0.;
-      Eigen::VectorXd           last_y;
+      /// Of the last iteration; empty before the first step.
       std::vector<CycleContact> contacts;
-      unsigned int              n_evaluations = 0;
-      double                    last_step     = 0.;
+      /// I - gamma dW/dy of the last iteration.
+      Eigen::PartialPivLU<Eigen::MatrixXd> stage_matrix;
+      unsigned int                         n_evaluations = 0;
+      /// What the last step's end changes in the rate, as far as it lasts.
+      Eigen::VectorXd rate_change;
       /// Bound of the next step [cycles] from what changes between steps.
       double          max_step = 0.;
       Eigen::VectorXd weights;
-      Eigen::VectorXd metric;
       /// Of each surface at the start of the step [m].
       std::vector<double> largest_depths;
     };

@@ -79,6 +79,9 @@ namespace Tribody
       /// ranks drift apart.
       void
       take_forces_of_first_rank();
+      /// Whether a profile has changed by more than the tolerance since then.
+      bool
+      dynamics_is_due() const;
 
       /// Contact and wear per cycle in every bushing.
       void
@@ -102,9 +105,9 @@ namespace Tribody
       on_coarse_meshes(const std::function<void()> &action);
 
       /// Add up what the last wear step has left of error, now that the rates
-      /// at its end are known.
+      /// at its end are known. @param cycles_kept see CycleJump.
       void
-      estimate_error();
+      estimate_error(const double cycles_kept);
 
       void
       count_rate_evaluations(const unsigned int n);
@@ -138,6 +141,9 @@ namespace Tribody
       std::unique_ptr<CycleJump>           jump;
       std::unique_ptr<CoarseRun>           coarse_run;
       bool                                 unstable_step_reported = false;
+      /// Where the dynamics was run last [cycles], and the depths there [m].
+      double                       cycles_at_dynamics = 0.;
+      std::vector<Eigen::VectorXd> depths_at_dynamics;
     };
   } // namespace Coupling
 } // namespace Tribody

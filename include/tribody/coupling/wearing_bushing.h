@@ -140,6 +140,22 @@ namespace Tribody
                             const double sliding_distance = 0.) const;
 
       /**
+       * The same with the nodes of @p held in contact, sample by sample, as
+       * Contact::ContactSolver::solve_held() has it: rates may be negative
+       * where the wrong nodes are held.
+       */
+      CycleContact
+      compute_held_contact(const Eigen::VectorXd           &depth,
+                           const Multibody::JointDutyCycle &cycle,
+                           const CycleContact              &held,
+                           const double sliding_distance = 0.) const;
+
+      /// Over all samples of @p contact and all ranks, nodes that are held
+      /// though they should not be, or the other way round.
+      std::size_t
+      count_wrong_nodes(const CycleContact &contact) const;
+
+      /**
        * How the wear rate changes with the depth, dW/dh [per cycle]. With the
        * derivatives k of the removed areas with respect to the nodal forces
        * (diagonal, of bushing b and pin p), D of the lost areas with respect to
@@ -272,6 +288,21 @@ namespace Tribody
       }
 
     private:
+      /// How the nodes in contact are found: by the contact problem, or they
+      /// are given.
+      enum class Nodes
+      {
+        solved,
+        held
+      };
+
+      CycleContact
+      compute_contact(const Eigen::VectorXd           &depth,
+                      const Multibody::JointDutyCycle &cycle,
+                      const CycleContact              *similar,
+                      const Nodes                      nodes,
+                      const double                     sliding_distance) const;
+
       Eigen::Vector2d
       force_per_length(const Multibody::JointDutyCycle &cycle,
                        const Eigen::Index               j) const;

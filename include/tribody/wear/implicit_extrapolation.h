@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace Tribody
 {
@@ -16,14 +17,21 @@ namespace Tribody
      */
     struct WearEquation
     {
-      /// W(N, y).
-      std::function<Eigen::VectorXd(const double           cycles,
-                                    const Eigen::VectorXd &y)>
-        rate;
-      /// dW/dy at the state of the last call of rate.
-      std::function<Eigen::MatrixXd()> jacobian;
-      /// Functions of y whose change of sign ends the integration, and their
-      /// number.
+      /**
+       * Solve @f$ y = a + \gamma\,W(N, y) @f$ at N @p cycles [gamma in cycles],
+       * beginning at the @p guess. Each stage of an implicit method has this
+       * form, and it is the optimality condition of a convex quadratic
+       * programme: there is one solution, however large gamma is.
+       * @return y, or nothing if it was not found: shorter steps are tried.
+       */
+      std::function<
+        std::optional<Eigen::VectorXd>(const double           cycles,
+                                       const Eigen::VectorXd &a,
+                                       const double           gamma,
+                                       const Eigen::VectorXd &guess)>
+        solve_stage;
+      /// Functions of y of the size of one, negative at first; the first to
+      /// become zero ends the integration. And their number.
       std::function<Eigen::VectorXd(const Eigen::VectorXd &y)> events;
       unsigned int                                             n_events = 0;
     };
@@ -31,12 +39,10 @@ namespace Tribody
     /**
      * Implicit cycle jumps: an L-stable, stiffly accurate diagonally implicit
      * Runge-Kutta method of ARKODE with its own step control integrates
-     * WearEquation. Each stage solves @f$ y = a + \gamma\,\Delta N\,W(y) @f$,
-     * the optimality condition of a convex quadratic programme, by Newton's
-     * method with a new Jacobian in every iteration: one that lags behind
-     * belongs to other active sets and does not converge while the contact
-     * grows. It starts from the line through what was solved last, because the
-     * state is hardly curved while its rate is stiff.
+     * WearEquation, which solves the stages. Their guesses are on the line
+     * through what was solved last, because the state is hardly curved while
+     * its rate is stiff. For the same reason the rate is never computed: that
+     * of a stage follows from its solution, and the first one is given.
      *
      * An error e of y counts as @f$ \sqrt{\sum_i (w_i e_i)^2} @f$ with weights
      * that the caller chooses. For a surface the sum should be an integral over
@@ -62,22 +68,21 @@ namespace Tribody
        * that has changed; the length of the next step is kept. The first one
        * is as long as it takes the first rate to change y by what counts 1.
        *
+       * @param rate W(y) per cycle.
        * @param weights w, one per entry of y.
-       * @param metric G, diagonal, in which G dW/dy is symmetric and nowhere
-       *   positive, for Newton's line search.
        * @param max_step bound of the next step [cycles]; 0: none.
        */
       void
       start(const double           cycles,
             const Eigen::VectorXd &y,
+            const Eigen::VectorXd &rate,
             const Eigen::VectorXd &weights,
-            const Eigen::VectorXd &metric,
             const double           max_step = 0.);
 
       /**
        * One step, not beyond @p end [cycles].
        * @return whether one of the events has happened; the step then ends
-       *   there.
+       *   there, to 1e-10 of the event.
        * @throws ExcRun if no step can be taken, and what the functions of the
        *   equation throw.
        */
@@ -97,14 +102,6 @@ namespace Tribody
       /// The rate at the end of the last step as its last stage has it.
       const Eigen::VectorXd &
       end_rate() const;
-
-      /**
-       * What becomes of a perturbation of y during a step like the last one:
-       * an implicit Euler step of the linearised equation, with the matrix of
-       * the last Newton iteration.
-       */
-      Eigen::VectorXd
-      damp(const Eigen::VectorXd &perturbation) const;
 
     private:
       struct Memory;

@@ -34,7 +34,8 @@ namespace Tribody
 
       /**
        * Cross-section area removed from each node in one sample [m^2].
-       * @param nodal_forces per axial length [N/m], not negative.
+       * @param nodal_forces per axial length [N/m]; iterations that hold nodes
+       *   by tension see the law continued as an odd function.
        * @param weights w of the nodes [m].
        */
       Eigen::VectorXd
@@ -43,7 +44,8 @@ namespace Tribody
                       const Sliding         &sliding) const;
 
       /// Derivatives of the area_increments with respect to the force of the
-      /// same node [m^2 per N/m]; zero at nodes without a force.
+      /// same node [m^2 per N/m]. A coefficient that depends on the pressure
+      /// is not asked where there is none: zero.
       Eigen::VectorXd
       area_derivatives(const Eigen::VectorXd &nodal_forces,
                        const Eigen::VectorXd &weights,
