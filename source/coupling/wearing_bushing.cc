@@ -437,15 +437,21 @@ namespace Tribody
           Eigen::VectorXd sum =
             Eigen::VectorXd::Zero(contact.surface.n_nodes());
           double constant = 0.;
-          for (std::size_t j = 0; j < contact.samples.size(); ++j)
-            if (surface.law.is_constant())
-              constant += surface.law.archard.area_increment(
-                1., contact.slidings[j].increment);
-            else
-              sum +=
-                surface.law.area_derivatives(contact.samples[j].nodal_force,
-                                             contact.surface.weights,
-                                             contact.slidings[j]);
+          if (surface.law.is_constant())
+            for (const Wear::Sliding &sliding : contact.slidings)
+              constant +=
+                surface.law.archard.area_increment(1., sliding.increment);
+          else
+            {
+              const Ranks::Range own =
+                Ranks::share(contact.samples.size(), communicator);
+              for (Eigen::Index j = own.begin; j < own.end; ++j)
+                sum +=
+                  surface.law.area_derivatives(contact.samples[j].nodal_force,
+                                               contact.surface.weights,
+                                               contact.slidings[j]);
+              Ranks::sum(sum, communicator);
+            }
           wear_per_pressure += constant + sum.maxCoeff();
         }
       // Nothing wears, nothing can become unstable.
