@@ -127,7 +127,8 @@ namespace
               (state.cycles - before) *
               state.duty_cycle.joints[b].sliding_distance();
           solve_contacts();
-          depth_error += jump.estimate_error(state.contacts)[0].depth;
+          depth_error +=
+            jump.estimate_error(state.contacts, state.cycles - before)[0].depth;
         }
     }
 

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 using namespace Tribody;
 using namespace Tribody::Wear;
@@ -59,20 +60,25 @@ test_running_in()
        {CoefficientFactor(RunningIn{initial, s_0}),
         CoefficientFactor(FactorExpression("factor", "1 + 4*exp(-s/30)"))})
     {
-      const WearLaw      law{{k}, {factor}};
-      const WearEquation equation{
-        [&](const double cycles, const Eigen::VectorXd &) {
-          return law.area_increments(forces,
-                                     weights,
-                                     {per_cycle, 0.1, cycles * per_cycle});
-        },
-        [] { return Eigen::MatrixXd::Zero(5, 5); },
-        {},
-        0};
+      const WearLaw law{{k}, {factor}};
+      const auto    rate = [&](const double cycles) {
+        return law.area_increments(forces,
+                                   weights,
+                                   {per_cycle, 0.1, cycles * per_cycle});
+      };
+      const WearEquation    equation{[&](const double           cycles,
+                                      const Eigen::VectorXd &a,
+                                      const double           gamma,
+                                      const Eigen::VectorXd &) {
+                                    return std::optional<Eigen::VectorXd>(
+                                      a + gamma * rate(cycles));
+                                  },
+                                  {},
+                                  0};
       constexpr double      tolerance = 1e-4;
       ImplicitExtrapolation integrator(equation, tolerance);
       const Eigen::VectorXd scale = Eigen::VectorXd::Constant(5, 1. / expected);
-      integrator.start(0., Eigen::VectorXd::Zero(5), scale, scale);
+      integrator.start(0., Eigen::VectorXd::Zero(5), rate(0.), scale);
       while (integrator.cycles() < end)
         integrator.step(end);
       std::cout << "running-in: removed area right to the tolerance: "
