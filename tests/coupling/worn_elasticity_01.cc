@@ -7,6 +7,11 @@
 // force that Hooke's law wants for it and its values on both boundaries: the L2
 // error falls at the rate degree + 1 on a ring that is worn all around,
 // h = d cos^2(t/2).
+//
+// Pressurised ring (Lame): worn by the same depth h all around, the bushing is
+// a ring of the bore radius a + h with u = A r + B/r, u(b) = 0 and sigma_r(a +
+// h) = -p. Mapping, elements, and the pressure's nodal forces on the worn bore
+// curve together must converge to it at the rate degree + 1.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -20,9 +25,11 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <tribody/base/direct_solver.h>
+#include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/elasticity/stiffness.h>
 #include <tribody/geometry/worn_configuration.h>
+#include <tribody/surface/bore_surface.h>
 #include <tribody/surface/boundary_ids.h>
 
 #include <cmath>
@@ -33,8 +40,8 @@ using namespace Tribody;
 
 constexpr double a = 9.535e-3, b = 15.875e-3;
 
-const Elasticity::PlaneHooke law({"PTFE", 0.139e9, 0.38, 2160.},
-                                 Elasticity::PlaneState::strain);
+const Material               material{"PTFE", 0.139e9, 0.38, 2160.};
+const Elasticity::PlaneHooke law(material, Elasticity::PlaneState::strain);
 
 class Manufactured : public dealii::Function<2>
 {
@@ -223,6 +230,62 @@ manufactured_error(const unsigned int n, const unsigned int degree)
   return errors.l2_norm();
 }
 
+/// A ring under a pressure [Pa] in its bore of radius @p inner, clamped at b.
+class Lame : public dealii::Function<2>
+{
+public:
+  explicit Lame(const double inner)
+    : dealii::Function<2>(2)
+    // sigma_r = 2 (lambda + mu) A - 2 mu B/r^2, B = -A b^2
+    , A(-pressure /
+        (2. * (law.lambda + law.mu) + 2. * law.mu * b * b / (inner * inner)))
+  {}
+
+  double
+  value(const dealii::Point<2> &x, const unsigned int component) const override
+  {
+    return A * (1. - b * b / x.norm_square()) * x[component];
+  }
+
+  static constexpr double pressure = 1e6;
+
+private:
+  const double A;
+};
+
+double
+lame_error(const unsigned int n, const unsigned int degree)
+{
+  constexpr double               depth = 2e-3;
+  Elasticity::RingMeshParameters mesh;
+  mesh.n_bore_cells   = n;
+  mesh.n_radial_cells = n / 8;
+  mesh.grading        = 1.;
+  dealii::Triangulation<2> triangulation;
+  Elasticity::make_ring_mesh(mesh, a, b, triangulation);
+  Geometry::WornConfiguration worn(triangulation, degree, "ring");
+  worn.update(
+    Eigen::VectorXd::Constant(worn.bore_nodes().angles.size(), depth));
+
+  Elasticity::BushingElasticity elasticity(triangulation,
+                                           degree,
+                                           material,
+                                           Elasticity::PlaneState::strain);
+  elasticity.reinit(worn.mapping());
+  const BoreSurface surface = make_bore_surface(worn.worn_positions(), degree);
+  const auto u = elasticity.solve(Lame::pressure * surface.vector_weights);
+
+  dealii::Vector<double> errors(triangulation.n_active_cells());
+  dealii::VectorTools::integrate_difference(worn.mapping(),
+                                            elasticity.get_dof_handler(),
+                                            u,
+                                            Lame(a + depth),
+                                            errors,
+                                            dealii::QGauss<2>(degree + 3),
+                                            dealii::VectorTools::L2_norm);
+  return errors.l2_norm();
+}
+
 int
 main(int argc, char **argv)
 {
@@ -234,5 +297,9 @@ main(int argc, char **argv)
     std::cout << "degree " << degree << ": manufactured solution, rate "
               << std::log2(manufactured_error(48, degree) /
                            manufactured_error(96, degree))
+              << std::endl;
+  for (unsigned int degree = 1; degree <= 3; ++degree)
+    std::cout << "degree " << degree << ": pressurised worn ring, rate "
+              << std::log2(lame_error(24, degree) / lame_error(48, degree))
               << std::endl;
 }
