@@ -11,7 +11,7 @@ import tempfile
 import numpy as np
 
 # Of the penalty, over modulus by wall thickness. Stiffer scatters the pressure,
-# softer lets the surfaces penetrate: here, some 3e-4 of the peak.
+# softer lets the surfaces penetrate.
 PENALTY = 5e4
 
 # Nodes of C3D20 in half cells along r, around, and along the axis.
