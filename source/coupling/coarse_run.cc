@@ -107,6 +107,11 @@ namespace Tribody
         {
           const double begin = state.cycles;
           jump->advance(state, end);
+          std::size_t b = 0;
+          for (const WearingBushing &bushing : coarse)
+            state.totals[b++].sliding_distance +=
+              (state.cycles - begin) *
+              cycle.joint(bushing.name()).sliding_distance();
           solve_contacts();
           // By which it chooses its next step.
           jump->estimate_error(state.contacts, state.cycles - begin);
@@ -147,9 +152,10 @@ namespace Tribody
           const CycleContact *similar =
             b < state.contacts.size() ? &state.contacts[b] : nullptr;
           contacts.push_back(bushing.compute_cycle_contact(
-            bushing.profile().depth,
+            bushing.depth(),
             state.duty_cycle.joint(bushing.name()),
-            similar));
+            similar,
+            state.totals[b].sliding_distance));
         }
       state.contacts = contacts;
     }
