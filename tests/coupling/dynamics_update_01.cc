@@ -86,11 +86,6 @@ namespace
               << ", volume "
               << (std::abs(kept.volume - accurate.volume) <= kept.volume_error)
               << std::endl;
-    std::cerr << "  difference and estimate [nm]: "
-              << 1e9 * (kept.depth - accurate.depth) << ", "
-              << 1e9 * kept.depth_error << "; [mm^3] "
-              << 1e9 * (kept.volume - accurate.volume) << ", "
-              << 1e9 * kept.volume_error << std::endl;
   }
 } // namespace
 
@@ -119,11 +114,6 @@ main(int argc, char **argv)
                 << (std::abs(kept.volume - every.volume) <=
                     3. * (kept.volume_error - every.volume_error))
                 << std::endl;
-      std::cerr << "  difference and growth [nm]: "
-                << 1e9 * (kept.depth - every.depth) << ", "
-                << 1e9 * (kept.depth_error - every.depth_error) << "; [mm^3] "
-                << 1e9 * (kept.volume - every.volume) << ", "
-                << 1e9 * (kept.volume_error - every.volume_error) << std::endl;
     }
 
   const Result kept = run("implicit", "1e-4", "0.3");

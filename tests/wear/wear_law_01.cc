@@ -89,8 +89,6 @@ test_running_in()
       const double error = integrator.state().sum() / expected - 1.;
       std::cout << "running-in: removed area right to the tolerance per step: "
                 << (std::abs(error) < n_steps * tolerance) << std::endl;
-      std::cerr << "running-in: " << n_steps << " steps, error " << error
-                << std::endl;
     }
 }
 
