@@ -112,9 +112,8 @@ namespace Tribody
     Cholmod &
     operator=(const Cholmod &) = delete;
 
-    // The solves change its workspace.
-    mutable cholmod_common common;
-    cholmod_factor        *factor = nullptr;
+    cholmod_common  common;
+    cholmod_factor *factor = nullptr;
   };
 
 
@@ -226,33 +225,5 @@ namespace Tribody
         dealii::ArrayView<double>(inverse.data(), inverse.size()));
     inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
     return inverse;
-  }
-
-
-
-  Eigen::MatrixXd
-  CholeskyFactor::solve(const Eigen::MatrixXd &right_hand_sides) const
-  {
-    AssertDimension(right_hand_sides.rows(),
-                    static_cast<Eigen::Index>(cholmod->factor->n));
-    const SingleThread single_thread;
-    cholmod_dense      b = {};
-    b.nrow               = right_hand_sides.rows();
-    b.ncol               = right_hand_sides.cols();
-    b.nzmax              = right_hand_sides.size();
-    b.d                  = right_hand_sides.rows();
-    b.x                  = const_cast<double *>(right_hand_sides.data());
-    b.xtype              = CHOLMOD_REAL;
-    b.dtype              = CHOLMOD_DOUBLE;
-
-    cholmod_dense *x =
-      cholmod_solve(CHOLMOD_A, cholmod->factor, &b, &cholmod->common);
-    AssertThrow(x != nullptr, ExcRun("CHOLMOD could not solve."));
-    const Eigen::MatrixXd solutions =
-      Eigen::Map<const Eigen::MatrixXd>(static_cast<const double *>(x->x),
-                                        b.nrow,
-                                        b.ncol);
-    cholmod_free_dense(&x, &cholmod->common);
-    return solutions;
   }
 } // namespace Tribody

@@ -73,7 +73,6 @@ namespace Tribody
           }
         return bushings;
       }
-
     } // namespace
 
 
@@ -255,18 +254,13 @@ namespace Tribody
 
       while (state.cycles < parameters.cycles)
         {
-          const double cycles_before = state.cycles;
-          const int    reached       = take_wear_step(recorder.next_output());
+          const int reached = take_wear_step(recorder.next_output());
           follow_on_coarse_meshes();
-          double cycles_kept = state.cycles - cycles_before;
           if (reached >= 0 || state.cycles >= parameters.cycles ||
               dynamics_is_due())
-            {
-              cycles_kept = state.cycles - cycles_at_dynamics;
-              run_dynamics();
-            }
+            run_dynamics();
           solve_contacts();
-          estimate_error(cycles_kept);
+          estimate_error();
           if (reached >= 0)
             {
               record_fields(recorder);
@@ -339,6 +333,7 @@ namespace Tribody
       const int          reached       = jump->advance(state, end);
       count_rate_evaluations(jump->n_rate_evaluations() - n_before);
       warn_of_unstable_step();
+      cycles_kept = state.cycles - cycles_before;
 
       std::size_t b = 0;
       for (const WearingBushing &bushing : bushings)
@@ -389,7 +384,7 @@ namespace Tribody
 
 
     void
-    WearSimulation::estimate_error(const double cycles_kept)
+    WearSimulation::estimate_error()
     {
       // Absolute values: an oscillation must not cancel in the sum.
       const std::vector<StepError> errors =
@@ -422,6 +417,7 @@ namespace Tribody
       });
       take_forces_of_first_rank();
 
+      cycles_kept        = state.cycles - cycles_at_dynamics;
       cycles_at_dynamics = state.cycles;
       depths_at_dynamics.clear();
       for (const WearingBushing &bushing : bushings)
@@ -475,7 +471,8 @@ namespace Tribody
         for (Eigen::VectorXd *field : {&joint.normal_force,
                                        &joint.contact_angle_bushing,
                                        &joint.contact_angle_pin,
-                                       &joint.sliding_increment})
+                                       &joint.sliding_increment,
+                                       &joint.sliding_speed})
           Ranks::broadcast(*field, 0, communicator);
     }
 

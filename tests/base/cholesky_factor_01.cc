@@ -65,10 +65,6 @@ main(int argc, char **argv)
          << "ranks agree to the bit: " << (shared == alone ? "yes" : "no")
          << '\n';
 
-  const Eigen::MatrixXd x = factor.solve(Eigen::MatrixXd::Ones(n, 2));
-  // The parabola i (n + 1 - i) / 2.
-  output << "one solution, in the middle: " << x(n / 2 - 1, 1) << '\n';
-
   try
     {
       // Its eigenvalues reach down to 1.9 - 2.

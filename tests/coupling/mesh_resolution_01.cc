@@ -125,10 +125,11 @@ wear_out(std::list<WearingBushing> &bushings)
   const auto           jump = make_jump(wear, bushings, no_conditions);
   while (state.cycles < 2000.)
     {
+      const double before = state.cycles;
       jump->advance(state, 2000.);
       coarse.follow(state.duty_cycle, state.cycles);
       state.contacts = {solve(bushings.front())};
-      jump->estimate_error(state.contacts);
+      jump->estimate_error(state.contacts, state.cycles - before);
     }
   return {1e6 * bushings.front().profile().max_depth(),
           coarse.compare(bushings)[0].wear_depth};

@@ -58,10 +58,6 @@ namespace Tribody
     Eigen::MatrixXd
     compute_inverse_block(const MPI_Comm &communicator = MPI_COMM_SELF) const;
 
-    /// The solutions for the columns of @p right_hand_sides.
-    Eigen::MatrixXd
-    solve(const Eigen::MatrixXd &right_hand_sides) const;
-
   private:
     /// @f$ L_{bb} @f$, lower triangular.
     Eigen::MatrixXd

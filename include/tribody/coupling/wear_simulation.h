@@ -105,9 +105,9 @@ namespace Tribody
       on_coarse_meshes(const std::function<void()> &action);
 
       /// Add up what the last wear step has left of error, now that the rates
-      /// at its end are known. @param cycles_kept see CycleJump.
+      /// at its end are known.
       void
-      estimate_error(const double cycles_kept);
+      estimate_error();
 
       void
       count_rate_evaluations(const unsigned int n);
@@ -142,7 +142,10 @@ namespace Tribody
       std::unique_ptr<CoarseRun>           coarse_run;
       bool                                 unstable_step_reported = false;
       /// Where the dynamics was run last [cycles], and the depths there [m].
-      double                       cycles_at_dynamics = 0.;
+      double cycles_at_dynamics = 0.;
+      /// For how long the duty cycle or the contacts before those of now were
+      /// kept, see CycleJump::estimate_error().
+      double                       cycles_kept = 0.;
       std::vector<Eigen::VectorXd> depths_at_dynamics;
     };
   } // namespace Coupling
