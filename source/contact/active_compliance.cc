@@ -30,7 +30,7 @@ namespace Tribody
       add_square(const double sign, const Eigen::MatrixXd &Z, Block matrix)
       {
         const Eigen::MatrixXd few = sign * Z.transpose();
-        add_outer_product(few, Z, matrix);
+        add_product(few, Z, matrix);
       }
     } // namespace
 

@@ -40,91 +40,12 @@ namespace Tribody
         std::memcpy(to, &pack, sizeof(pack));
       }
 
-      /// Columns of the matrix or of the result that are worked on together.
+      /// Columns of the result that are worked on together.
       constexpr Index n_together = 4;
 
-
-
-      /// Add n_columns columns of a, m rows each, times the n_columns by
-      /// n_few block b to y.
-      template <Index n_columns, Index n_few>
-      [[gnu::always_inline]] inline void
-      add_columns(const Index   m,
-                  const double *a,
-                  const Index   stride_a,
-                  const double *b,
-                  const Index   stride_b,
-                  double       *y,
-                  const Index   stride_y)
-      {
-        Index i = 0;
-        for (; i + 4 <= m; i += 4)
-          for (Index q = 0; q < n_few; ++q)
-            {
-              double *target = y + i + q * stride_y;
-              Pack    sum    = load(target);
-              for (Index j = 0; j < n_columns; ++j)
-                sum += load(a + i + j * stride_a) * b[j + q * stride_b];
-              store(sum, target);
-            }
-        for (; i < m; ++i)
-          for (Index q = 0; q < n_few; ++q)
-            for (Index j = 0; j < n_columns; ++j)
-              y[i + q * stride_y] += a[i + j * stride_a] * b[j + q * stride_b];
-      }
-
-
-
-      template <Index n_few>
-      [[gnu::always_inline]] inline void
-      add_all_columns(const Index   m,
-                      const Index   n,
-                      const double *a,
-                      const Index   stride_a,
-                      const double *b,
-                      const Index   stride_b,
-                      double       *y,
-                      const Index   stride_y)
-      {
-        Index j = 0;
-        for (; j + n_together <= n; j += n_together)
-          add_columns<n_together, n_few>(
-            m, a + j * stride_a, stride_a, b + j, stride_b, y, stride_y);
-        for (; j < n; ++j)
-          add_columns<1, n_few>(
-            m, a + j * stride_a, stride_a, b + j, stride_b, y, stride_y);
-      }
-
-
-
-      TRIBODY_FOR_ALL_PROCESSORS
-      void
-      add_few(const Index   m,
-              const Index   n,
-              const Index   n_few,
-              const double *a,
-              const Index   stride_a,
-              const double *b,
-              const Index   stride_b,
-              double       *y,
-              const Index   stride_y)
-      {
-        switch (n_few)
-          {
-            case 1:
-              return add_all_columns<1>(
-                m, n, a, stride_a, b, stride_b, y, stride_y);
-            case 2:
-              return add_all_columns<2>(
-                m, n, a, stride_a, b, stride_b, y, stride_y);
-            case 3:
-              return add_all_columns<3>(
-                m, n, a, stride_a, b, stride_b, y, stride_y);
-            default:
-              return add_all_columns<4>(
-                m, n, a, stride_a, b, stride_b, y, stride_y);
-          }
-      }
+      /// Columns of the first factor that are read side by side: fewer than a
+      /// processor remembers pages.
+      constexpr Index panel_width = 32;
 
 
 
@@ -179,75 +100,62 @@ namespace Tribody
 
       TRIBODY_FOR_ALL_PROCESSORS
       void
-      add_outer(const Index   m,
-                const Index   n,
-                const Index   k,
-                const double *a,
-                const Index   stride_a,
-                const double *b,
-                const Index   stride_b,
-                double       *y,
-                const Index   stride_y)
+      add(const Index   m,
+          const Index   n,
+          const Index   k,
+          const double *a,
+          const Index   stride_a,
+          const double *b,
+          const Index   stride_b,
+          double       *y,
+          const Index   stride_y)
       {
-        Index j = 0;
-        for (; j + n_together <= n; j += n_together)
-          add_strips<n_together>(m,
-                                 k,
-                                 a,
-                                 stride_a,
-                                 b + j * stride_b,
-                                 stride_b,
-                                 y + j * stride_y,
-                                 stride_y);
-        for (; j < n; ++j)
-          add_strips<1>(m,
-                        k,
-                        a,
-                        stride_a,
-                        b + j * stride_b,
-                        stride_b,
-                        y + j * stride_y,
-                        stride_y);
+        for (Index first = 0; first < k; first += panel_width)
+          for (Index j = 0; j < n; j += n_together)
+            {
+              const Index   width = std::min(panel_width, k - first);
+              const double *panel = a + first * stride_a;
+              const double *few   = b + first + j * stride_b;
+              double       *sum   = y + j * stride_y;
+              switch (n - j)
+                {
+                  case 1:
+                    add_strips<1>(
+                      m, width, panel, stride_a, few, stride_b, sum, stride_y);
+                    break;
+                  case 2:
+                    add_strips<2>(
+                      m, width, panel, stride_a, few, stride_b, sum, stride_y);
+                    break;
+                  case 3:
+                    add_strips<3>(
+                      m, width, panel, stride_a, few, stride_b, sum, stride_y);
+                    break;
+                  default:
+                    add_strips<4>(
+                      m, width, panel, stride_a, few, stride_b, sum, stride_y);
+                }
+            }
       }
     } // namespace
 
 
 
     void
-    add_product(const ConstBlock &matrix, const ConstBlock &few, Block sum)
+    add_product(const ConstBlock &a, const ConstBlock &b, Block sum)
     {
-      AssertDimension(matrix.cols(), few.rows());
-      AssertDimension(matrix.rows(), sum.rows());
-      AssertDimension(few.cols(), sum.cols());
-      for (Index q = 0; q < few.cols(); q += n_together)
-        add_few(matrix.rows(),
-                matrix.cols(),
-                std::min(n_together, few.cols() - q),
-                matrix.data(),
-                matrix.outerStride(),
-                few.data() + q * few.outerStride(),
-                few.outerStride(),
-                sum.data() + q * sum.outerStride(),
-                sum.outerStride());
-    }
-
-
-
-    void
-    add_outer_product(const ConstBlock &tall, const ConstBlock &flat, Block sum)
-    {
-      AssertDimension(tall.cols(), flat.rows());
-      AssertDimension(tall.rows(), sum.rows());
-      AssertDimension(flat.cols(), sum.cols());
-      add_outer(tall.rows(),
-                flat.cols(),
-                tall.cols(),
-                tall.data(),
-                tall.outerStride(),
-                flat.data(),
-                flat.outerStride(),
-                sum.data(),
-                sum.outerStride());
+      AssertDimension(a.cols(), b.rows());
+      AssertDimension(a.rows(), sum.rows());
+      AssertDimension(b.cols(), sum.cols());
+      add(a.rows(),
+          b.cols(),
+          a.cols(),
+          a.data(),
+          a.outerStride(),
+          b.data(),
+          b.outerStride(),
+          sum.data(),
+          sum.outerStride());
     }
   } // namespace Contact
 } // namespace Tribody

@@ -14,24 +14,17 @@ namespace Tribody
     using Block = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
     /**
-     * @p sum += @p matrix times @p few, which has few columns: reads the matrix
-     * once for four of them.
+     * @p sum += @p a times @p b, of which @p b has few columns or few rows.
      *
-     * This and add_outer_product() are what following the active set spends its
-     * time with. Eigen would do them with the instructions that the whole
-     * program is compiled for (SSE2), column by column or after copying the
-     * matrix. These are compiled for processors with AVX2 as well, and chosen
-     * when the program is loaded. The order of the sums does not depend on
-     * where the matrix lies in memory.
+     * This is what following the active set spends its time with. Eigen would
+     * do it with the instructions that the whole program is compiled for
+     * (SSE2), column by column or after copying the matrix. This is compiled
+     * for processors with AVX2 as well, and chosen when the program is loaded.
+     * The order of the sums does not depend on where the matrices lie in
+     * memory.
      */
     void
-    add_product(const ConstBlock &matrix, const ConstBlock &few, Block sum);
-
-    /// @p sum += @p tall times @p flat, with few columns and few rows.
-    void
-    add_outer_product(const ConstBlock &tall,
-                      const ConstBlock &flat,
-                      Block             sum);
+    add_product(const ConstBlock &a, const ConstBlock &b, Block sum);
   } // namespace Contact
 } // namespace Tribody
 
