@@ -26,7 +26,9 @@ namespace Tribody
       PinFacings facings;
       facings.surfaces = surfaces;
       facings.angles   = cycle.contact_angle_bushing - cycle.contact_angle_pin;
+      // Eigen compares vectors of the same size only.
       if (similar != nullptr && similar->surfaces == surfaces &&
+          similar->angles.size() == facings.angles.size() &&
           similar->angles == facings.angles)
         return *similar;
 

@@ -149,6 +149,33 @@ print_bushing(const json &joint)
             << ", losses of contact: " << joint["contact_losses"] << std::endl;
 }
 
+// Of a pin that wears, beside its last profile.
+void
+print_pin(const json &joint, const std::string &directory)
+{
+  const json  &pin    = joint["pin"];
+  const double depth  = pin["max_wear_depth_m"];
+  const double volume = pin["worn_volume_m3"];
+  std::string  profile;
+  for (const auto &entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().filename().string().rfind("pin_profile_", 0) == 0)
+      profile = std::max(profile, entry.path().string());
+  const auto angles  = read_column(profile, "angle [deg]");
+  const auto depths  = read_column(profile, "pin_wear_depth [m]");
+  const auto deepest = std::max_element(depths.begin(), depths.end());
+  std::cout << std::setprecision(1) << "  pin: depth " << depth * 1e6
+            << " um, volume over the bushing's " << std::setprecision(4)
+            << volume / joint["bushing"]["worn_volume_m3"].get<double>()
+            << ", volume balance below 1e-6: "
+            << (pin["volume_balance_relative_error"] < 1e-6)
+            << "\n  its profile: " << depths.size()
+            << " nodes, depth and angle those of the summary: "
+            << (std::abs(*deepest / depth - 1.) < 1e-6 &&
+                std::abs(angles[deepest - depths.begin()] -
+                         pin["max_wear_angle_deg"].get<double>()) < 1e-6)
+            << std::endl;
+}
+
 // Of a run without wear.
 void
 print_energy_balance(const json &dynamics)
@@ -217,7 +244,11 @@ main(int argc, char **argv)
           std::filesystem::exists(reference + "_peak_mean.csv"))
         compare_peak_and_mean(reference + "_peak_mean.csv", joint);
       if (joint.contains("bushing"))
-        print_bushing(joint);
+        {
+          print_bushing(joint);
+          if (joint["pin"].contains("volume_balance_relative_error"))
+            print_pin(joint, directory + "/" + joint_name);
+        }
       if (joint_name == "crank_pin" &&
           std::filesystem::exists(reference + "_lobes.csv"))
         compare_lobes(reference + "_lobes.csv",
