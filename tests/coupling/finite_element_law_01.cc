@@ -433,8 +433,6 @@ main(int argc, char **argv)
          << ", spun: " << (spinning.spin > 1. ? "yes" : "no") << std::endl;
   report_below("  error of the energy", spinning.energy_error, 1e-4);
   report_below("  error of the balance", spinning.balance_error, 1e-4);
-  std::cerr << spinning.n_impacts << ' ' << spinning.spin << ' '
-            << spinning.energy_error << ' ' << spinning.balance_error << '\n';
   const double e_r = 0.8, d = 0.75 * (1 - e_r * e_r);
   const Flight lossy = fly(joint, bushing, e_r, Vector2d(0.3, 0.), 1e-3);
   const double e_out = lossy.rebound / 0.3;
