@@ -141,27 +141,33 @@ namespace Tribody
 
 
     PinStiffness
-    ContactSolver::compute_pin_stiffness(const ContactSolution &solution)
+    ContactSolver::compute_pin_stiffness(const ContactSolution &solution,
+                                         const Eigen::VectorXd &recess_slope)
     {
       const ActiveSet &active = solution.active_set;
-      PinStiffness result{Eigen::Matrix2d::Zero(), Eigen::RowVector2d::Zero()};
+      PinStiffness     result;
       if (active.empty())
         return result;
-      Eigen::MatrixX2d directions(active.size(), 2);
+      // How the gaps close with e and alpha.
+      Eigen::MatrixX3d closing = Eigen::MatrixX3d::Zero(active.size(), 3);
       for (std::size_t k = 0; k < active.size(); ++k)
         {
           const Eigen::Vector2d to_node =
             surface.positions.col(active[k]) - solution.pin_centre;
           const double          distance = to_node.norm();
           const Eigen::Vector2d m        = to_node / distance;
-          directions.row(k)              = m.transpose();
-          result.force -= solution.nodal_force[active[k]] / distance *
-                          (Eigen::Matrix2d::Identity() - m * m.transpose());
+          closing.row(k).head<2>()       = m.transpose();
+          if (recess_slope.size() > 0)
+            closing(k, 2) = -recess_slope[active[k]];
+          result.force.leftCols<2>() -=
+            solution.nodal_force[active[k]] / distance *
+            (Eigen::Matrix2d::Identity() - m * m.transpose());
         }
       active_compliance.update(compliance, active, /*small changes = */ true);
-      const Eigen::MatrixX2d d_forces = active_compliance.solve(directions);
-      result.force += directions.transpose() * d_forces;
+      const Eigen::MatrixX3d d_forces = active_compliance.solve(closing);
+      result.force += closing.leftCols<2>().transpose() * d_forces;
       result.nodal_force_sum = d_forces.colwise().sum();
+      result.moment          = -closing.col(2).transpose() * d_forces;
       return result;
     }
 
@@ -175,7 +181,8 @@ namespace Tribody
       for (const Eigen::Index i : solution.active_set)
         twice += solution.nodal_force[i] *
                  (pin_radius -
-                  (surface.positions.col(i) - solution.pin_centre).norm());
+                  (surface.positions.col(i) - solution.pin_centre).norm() -
+                  (pin_recess.size() > 0 ? pin_recess[i] : 0.));
       return twice / 2.;
     }
 

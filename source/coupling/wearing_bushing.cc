@@ -86,6 +86,8 @@ namespace Tribody
                                          const CycleContact              &held,
                                          const double sliding_distance) const
     {
+      AssertDimension(held.samples.size(),
+                      static_cast<std::size_t>(cycle.normal_force.size()));
       return compute_contact(
         depth, cycle, &held, Nodes::held, sliding_distance);
     }
@@ -370,7 +372,8 @@ namespace Tribody
     {
       return std::make_shared<const ElasticSupport>(elastic,
                                                     parameters,
-                                                    joint.pin_radius);
+                                                    joint.pin_radius,
+                                                    pin_wear_profile());
     }
 
 

@@ -127,7 +127,7 @@ namespace Tribody
         contact.normal_power = contact.normal_force * normal_speed;
         if (needs_support(joint.contact_law))
           {
-            contact.elastic_power  = at.elastic_force * at.direction.dot(e_t);
+            contact.elastic_power  = at.elastic_force * normal_speed;
             contact.elastic_energy = at.energy;
             return;
           }

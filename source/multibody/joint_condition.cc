@@ -31,9 +31,14 @@ namespace Tribody
         force;
       contact.energy = support.energy;
 
-      const double radius     = condition.surfaces.pin_radius();
-      contact.pin_point       = radius * n;
-      contact.d_pin_point     = radius * contact.d_direction;
+      const double radius = condition.surfaces.pin_radius();
+      // The line of the force passes the pin's centre at this distance.
+      const double offset = support.moment / force;
+      contact.pin_point   = radius * n + offset * t;
+      contact.d_pin_point =
+        radius * contact.d_direction +
+        t * (support.d_moment - offset * contact.d_elastic_force) / force -
+        offset * n * (t.transpose() * contact.d_direction);
       contact.bushing_point   = e + contact.pin_point;
       contact.d_bushing_point = contact.d_pin_point;
       contact.d_bushing_point.leftCols<2>() += Eigen::Matrix2d::Identity();

@@ -118,26 +118,18 @@ namespace Tribody
     , facing_angles(degree + 1, n_bore_nodes / degree)
     , lengths(n_bore_nodes / degree)
   {
-    // The curve's normals at its nodes are not quite the radii, not even of a
-    // round bore: what wear changes in them is.
-    const Eigen::Matrix2Xd unworn_normals =
-      make_bore_surface(unworn, degree).normals;
-    const auto facing_angle = [&](const Eigen::Index i) {
-      return angle_of(unworn.col(i)) + angle_of(bore.normals.col(i)) -
-             angle_of(unworn_normals.col(i));
-    };
-
+    const Eigen::VectorXd facing_angle = facing_node_angles(bore, unworn);
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index piece = 0; piece < lengths.size(); ++piece)
       {
         lengths[piece] =
           (unworn.col(node(piece, degree)) - unworn.col(node(piece, 0))).norm();
-        const double first      = facing_angle(node(piece, 0));
+        const double first      = facing_angle[node(piece, 0)];
         facing_angles(0, piece) = first;
         for (unsigned int k = 1; k <= degree; ++k)
           facing_angles(k, piece) =
             first +
-            std::remainder(facing_angle(node(piece, k)) - first, two_pi);
+            std::remainder(facing_angle[node(piece, k)] - first, two_pi);
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const Eigen::VectorXd phi =
@@ -226,6 +218,23 @@ namespace Tribody
                                  node(piece, j),
                                  N[k] * phi[j] * weight);
       }
+  }
+
+
+
+  Eigen::VectorXd
+  TurnedSurfaces::facing_node_angles(const BoreSurface      &bore,
+                                     const Eigen::Matrix2Xd &unworn)
+  {
+    // The curve's normals at its nodes are not quite the radii, not even of a
+    // round bore: what wear changes in them is.
+    const Eigen::Matrix2Xd unworn_normals =
+      make_bore_surface(unworn, bore.degree).normals;
+    Eigen::VectorXd angles(bore.n_nodes());
+    for (Eigen::Index i = 0; i < angles.size(); ++i)
+      angles[i] = angle_of(unworn.col(i)) + angle_of(bore.normals.col(i)) -
+                  angle_of(unworn_normals.col(i));
+    return angles;
   }
 
 

@@ -289,17 +289,21 @@ deeply_worn_profile()
 }
 
 // Springs all around the bore, which press where the pin overlaps a round bore,
-// along the lines to its centre.
+// along the lines to its centre. The pin may be worn by up to twice an
+// amplitude on one side.
 class SpringRing : public PinSupport
 {
 public:
-  SpringRing(const double bore_radius, const double pin_radius)
+  SpringRing(const double bore_radius,
+             const double pin_radius,
+             const double amplitude)
     : bore_radius(bore_radius)
     , pin_radius(pin_radius)
+    , amplitude(amplitude)
   {}
 
   SupportForce
-  compute_force(const Eigen::Vector2d &e, const double) const override
+  compute_force(const Eigen::Vector2d &e, const double alpha) const override
   {
     constexpr int    n         = 400;
     constexpr double stiffness = 1e3;
@@ -309,9 +313,12 @@ public:
         const double          angle = 2 * M_PI * i / n;
         const Eigen::Vector2d y =
           bore_radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)) - e;
-        const double          distance = y.norm();
-        const double          overlap  = pin_radius - distance;
-        const Eigen::Vector2d m        = y / distance;
+        const double distance   = y.norm();
+        const double recess     = amplitude * (1 + std::cos(angle - alpha));
+        const double d_recess   = amplitude * std::sin(angle - alpha);
+        const double d2_recess  = -amplitude * std::cos(angle - alpha);
+        const double overlap    = pin_radius - recess - distance;
+        const Eigen::Vector2d m = y / distance;
         if (overlap <= 0)
           continue;
         result.force += stiffness * overlap * m;
@@ -322,6 +329,12 @@ public:
                        overlap / distance *
                          (Eigen::Matrix2d::Identity() - m * m.transpose()));
         result.d_magnitudes.head<2>() += stiffness * m.transpose();
+        result.d_force.col(2) -= stiffness * d_recess * m;
+        result.d_magnitudes(2) -= stiffness * d_recess;
+        result.moment += stiffness * overlap * d_recess;
+        result.d_moment.head<2>() += stiffness * d_recess * m.transpose();
+        result.d_moment(2) +=
+          stiffness * (overlap * d2_recess - d_recess * d_recess);
       }
     return result;
   }
@@ -333,7 +346,7 @@ public:
   }
 
 private:
-  double bore_radius, pin_radius;
+  double bore_radius, pin_radius, amplitude;
 };
 
 enum class Surfaces
@@ -341,7 +354,8 @@ enum class Surfaces
   worn_scalar,
   worn,
   worn_with_pin,
-  elastic
+  elastic,
+  elastic_with_worn_pin
 };
 
 JointCondition
@@ -349,12 +363,17 @@ make_surfaces(const Surfaces surfaces, ClearanceJoint &joint)
 {
   if (surfaces == Surfaces::worn_scalar)
     joint.penetration_measure = PenetrationMeasure::scalar;
-  if (surfaces == Surfaces::elastic)
+  if (surfaces == Surfaces::elastic ||
+      surfaces == Surfaces::elastic_with_worn_pin)
     {
       joint.contact_law = FiniteElementLaw{0.7};
       return joint.make_condition(
         ClearanceProfile(joint.nominal_clearance()),
-        std::make_shared<SpringRing>(joint.bushing_radius, joint.pin_radius));
+        std::make_shared<SpringRing>(joint.bushing_radius,
+                                     joint.pin_radius,
+                                     surfaces == Surfaces::elastic_with_worn_pin
+                                       ? 5e-6
+                                       : 0.));
     }
   JointClearance clearance = deeply_worn_profile();
   if (surfaces == Surfaces::worn_with_pin)
@@ -440,7 +459,7 @@ check_clearance_joint(const std::string &name,
   // Elastic surfaces have one point of contact; where the pin is worn, normal
   // and radius differ by less than 1e-2 in direction.
   const double left =
-    surfaces == Surfaces::elastic
+    surfaces == Surfaces::elastic || surfaces == Surfaces::elastic_with_worn_pin
       ? moment
       : moment + contact.tangential_force * contact.penetration;
   report_below("  net moment but that of the penetration over force [m]",
@@ -581,6 +600,10 @@ main()
   check_clearance_joint("worn, deepest", Surfaces::worn, coulomb, 200.);
   check_clearance_joint("both worn", Surfaces::worn_with_pin, coulomb, 200.);
   check_clearance_joint("elastic", Surfaces::elastic, coulomb, 200.);
+  check_clearance_joint("elastic, pin worn",
+                        Surfaces::elastic_with_worn_pin,
+                        coulomb,
+                        200.);
   check_profile();
 
   const ContactForceLaw law = LankaraniNikraveshLaw{1.5e10, 0.8};

@@ -13,13 +13,16 @@ namespace Tribody
 {
   namespace Contact
   {
-    /// How the forces of a contact change with the pin's centre.
+    /// How the forces of a contact change with the pin's centre e and the angle
+    /// alpha by which it is turned: derivatives by (e_x, e_y, alpha).
     struct PinStiffness
     {
-      /// Derivative of ContactSolution::force by the centre [N/m^2].
-      Eigen::Matrix2d force;
-      /// Derivative of the sum of nodal forces [N/m^2].
-      Eigen::RowVector2d nodal_force_sum;
+      /// Of ContactSolution::force [N/m^2, N/m].
+      Eigen::Matrix<double, 2, 3> force = Eigen::Matrix<double, 2, 3>::Zero();
+      /// Of the sum of nodal forces [N/m^2, N/m].
+      Eigen::RowVector3d nodal_force_sum = Eigen::RowVector3d::Zero();
+      /// Of their work per angle, for a fixed slope of the recess [N/m, N].
+      Eigen::RowVector3d moment = Eigen::RowVector3d::Zero();
     };
 
     /**
@@ -88,9 +91,14 @@ namespace Tribody
        * @f[ \frac{d\lambda_A}{de} = C_A^{-1} m_A^T, \qquad
        *     \frac{dF}{de} = m_A C_A^{-1} m_A^T - \sum_i \lambda_i
        *     \frac{I - m_i m_i^T}{|x_i - e|}. @f]
+       * Turning a worn pin changes its recess r:
+       * @f$ d\lambda_A/d\alpha = -C_A^{-1}\,r'_A @f$, and the moment is
+       * @f$ \sum_i \lambda_i r'_i @f$.
+       * @param recess_slope r' at the bore's nodes [m/rad]; empty: none.
        */
       PinStiffness
-      compute_pin_stiffness(const ContactSolution &solution);
+      compute_pin_stiffness(const ContactSolution &solution,
+                            const Eigen::VectorXd &recess_slope = {});
 
       /// @f$ \tfrac12 \lambda^T C \lambda @f$ of @p solution [J/m].
       double

@@ -3,6 +3,7 @@
 
 #include <tribody/contact/contact_solver.h>
 #include <tribody/multibody/pin_support.h>
+#include <tribody/surface/clearance_profile.h>
 
 #include <map>
 #include <memory>
@@ -22,15 +23,23 @@ namespace Tribody
      * Contact::ContactSolver on a worn bore, L times the plane forces. The
      * energy is @f$ \frac{L}{2} \lambda^T C \lambda @f$.
      *
-     * A round pin looks the same from all sides, so that alpha has no effect.
+     * A worn pin recedes by @f$ r_i(\alpha) = h_p(\psi_i - \alpha) @f$ where it
+     * faces node i (@f$\psi_i@f$ as in TurnedSurfaces), with the spline that
+     * the dynamics sees for @f$h_p@f$: it is twice differentiable, and costs
+     * less than the projection of the wear, from which it differs by the error
+     * of interpolation on the pin's nodes. A round pin looks the same from all
+     * sides.
      */
     class ElasticSupport : public Multibody::PinSupport
     {
     public:
       /// The elastic @p joint as it is worn now, which is copied.
+      /// @param pin_radius as manufactured [m]. @param pin_wear what it has
+      ///   lost, over the angle in the pin's frame.
       ElasticSupport(const ElasticJoint      &joint,
                      const BushingParameters &parameters,
-                     const double             pin_radius);
+                     const double             pin_radius,
+                     const ClearanceProfile  &pin_wear = ClearanceProfile(0.));
 
       Multibody::SupportForce
       compute_force(const Eigen::Vector2d &e,
@@ -48,18 +57,31 @@ namespace Tribody
       }
 
     private:
+      /// The recess with its derivatives by alpha; empty for a round pin.
+      struct Recess
+      {
+        Eigen::VectorXd value;
+        Eigen::VectorXd slope;
+        Eigen::VectorXd curvature;
+      };
+
+      Recess
+      compute_recess(const double alpha) const;
+
       void
       check(const Contact::ContactSolution &solution,
             const std::string              &given) const;
 
-      std::string name;
-      double      axial_length;
+      std::string      name;
+      double           axial_length;
+      ClearanceProfile pin_wear;
+      Eigen::VectorXd  facing_angles;
       // Where the solver begins, and what was asked last: the integrator often
       // asks again.
       mutable Contact::ContactSolver                  solver;
       mutable std::optional<Contact::ContactSolution> last_touching;
       mutable std::optional<Contact::ContactSolution> last_resting;
-      mutable std::optional<Eigen::Vector2d>          last_centre;
+      mutable std::optional<Eigen::Vector3d>          last_place;
       mutable Multibody::SupportForce                 last_force;
       mutable unsigned int                            solves = 0;
     };

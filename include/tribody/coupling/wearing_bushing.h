@@ -142,7 +142,8 @@ namespace Tribody
       /**
        * The same with the nodes of @p held in contact, sample by sample, as
        * Contact::ContactSolver::solve_held() has it: rates may be negative
-       * where the wrong nodes are held.
+       * where the wrong nodes are held. @pre @p held belongs to as many
+       * samples.
        */
       CycleContact
       compute_held_contact(const Eigen::VectorXd           &depth,

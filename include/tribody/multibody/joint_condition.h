@@ -21,7 +21,8 @@ namespace Tribody
     /**
      * The contact in a joint with elastic surfaces, or of rigid ones as seen by
      * SurfaceContact. Where a support presses, the direction is that of its
-     * force, and pin and bushing touch each other in that direction.
+     * force, and pin and bushing touch each other in that direction, as far
+     * beside the pin's centre as the support's moment asks for.
      */
     struct SupportedContact : SurfaceContact
     {

@@ -20,6 +20,10 @@ namespace Tribody
       /// contact wraps around the pin. Times mu R_i, the moment of friction.
       double             magnitudes   = 0.;
       Eigen::RowVector3d d_magnitudes = Eigen::RowVector3d::Zero();
+      /// Of the normal forces on the pin about its centre [N m]: a round pin
+      /// has none, a worn one is turned away from where it is high.
+      double             moment   = 0.;
+      Eigen::RowVector3d d_moment = Eigen::RowVector3d::Zero();
       /// Energy stored in the surfaces [J].
       double energy = 0.;
     };
@@ -27,8 +31,8 @@ namespace Tribody
     /**
      * The elastic surfaces of a joint as the dynamics sees them: a contact
      * problem that somebody else solves. The force is the gradient of the
-     * energy by e. Answers may depend on the questions before by no more than
-     * their accuracy.
+     * energy by e, the moment minus its derivative by alpha. Answers may depend
+     * on the questions before by no more than their accuracy.
      */
     class PinSupport
     {

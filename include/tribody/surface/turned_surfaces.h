@@ -89,6 +89,11 @@ namespace Tribody
     TurnedTransfer
     turned_by(const double pin_angle) const;
 
+    /// Psi [rad] at the nodes of the worn @p bore, whose positions were @p
+    /// unworn [m].
+    static Eigen::VectorXd
+    facing_node_angles(const BoreSurface &bore, const Eigen::Matrix2Xd &unworn);
+
     /// Angles [rad] of the nodes of a pin with @p n_pieces of @p degree in its
     /// own frame, ascending.
     static Eigen::VectorXd
