@@ -1,16 +1,15 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
 
 #include <tribody/base/cholesky_factor.h>
-#include <tribody/base/direct_solver.h>
+#include <tribody/base/linear_solver.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/stiffness.h>
 #include <tribody/elasticity/surface_compliance.h>
 #include <tribody/surface/boundary_ids.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace Tribody
@@ -65,22 +64,17 @@ namespace Tribody
       dof_handler.distribute_dofs(fe);
       nodes = make_bore_nodes(dof_handler);
 
+      constraints.reinit(relevant_dofs(dof_handler));
       dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       if (support.is_clamped())
         dealii::DoFTools::make_zero_boundary_constraints(dof_handler,
                                                          BoundaryIds::rim,
                                                          constraints);
       constraints.close();
-
-      dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
-      dealii::DoFTools::make_sparsity_pattern(
-        dof_handler,
-        sparsity,
-        constraints,
-        /*keep_constrained_dofs = */ false);
-      stiffness.reinit(dof_handler.locally_owned_dofs(),
-                       sparsity,
-                       MPI_COMM_SELF);
+      reinit_matrix(dof_handler,
+                    constraints,
+                    /*keep_constrained_dofs = */ false,
+                    stiffness);
     }
 
 
@@ -102,13 +96,29 @@ namespace Tribody
 
 
 
-    const DirectSolver &
-    BushingElasticity::direct_solver() const
+    const LinearSolver &
+    BushingElasticity::linear_solver() const
     {
       Assert(is_assembled, dealii::ExcNotInitialized());
       if (solver == nullptr)
-        solver = std::make_unique<DirectSolver>(stiffness);
+        solver = make_linear_solver(stiffness, dof_handler);
       return *solver;
+    }
+
+
+
+    bool
+    BushingElasticity::owns(const Eigen::Index node) const
+    {
+      return dof_handler.locally_owned_dofs().is_element(nodes.x_dofs[node]);
+    }
+
+
+
+    Eigen::Index
+    BushingElasticity::local(const dealii::types::global_dof_index dof) const
+    {
+      return dof_handler.locally_owned_dofs().index_within_set(dof);
     }
 
 
@@ -118,11 +128,28 @@ namespace Tribody
                                          const RingSymmetry      symmetry,
                                          const MPI_Comm &communicator) const
     {
+      // As many as vectors fit the caches beside a share of the matrix.
+      constexpr Eigen::Index columns_at_once = 32;
+
       Assert(is_assembled, dealii::ExcNotInitialized());
-      AssertDimension(normals.cols(), nodes.n_nodes());
+      const Eigen::Index n = nodes.n_nodes();
+      AssertDimension(normals.cols(), n);
       if (symmetry == RingSymmetry::cells_alike)
         return symmetric_part(
-          repeat_around(first_columns(normals, nodes.degree)), "bushing");
+          repeat_around(compliance_columns(normals, {0, nodes.degree})),
+          "bushing");
+
+      if (is_distributed(dof_handler.get_triangulation()))
+        {
+          Eigen::MatrixXd compliance(n, n);
+          for (Eigen::Index j = 0; j < n; j += columns_at_once)
+            {
+              const Ranks::Range range{j, std::min(j + columns_at_once, n)};
+              compliance.middleCols(j, range.end - j) =
+                compliance_columns(normals, range);
+            }
+          return symmetric_part(compliance, "bushing");
+        }
 
       // The normal displacement of a bore node takes the place of x. Hanging
       // nodes are never bore nodes.
@@ -134,39 +161,49 @@ namespace Tribody
 
 
     Eigen::MatrixXd
-    BushingElasticity::first_columns(const Eigen::Matrix2Xd &normals,
-                                     const Eigen::Index      n_columns) const
+    BushingElasticity::compliance_columns(const Eigen::Matrix2Xd &normals,
+                                          const Ranks::Range      range) const
     {
-      const Eigen::Index n = nodes.n_nodes();
+      const Eigen::Index n_columns = range.end - range.begin;
       Eigen::MatrixXd    forces =
-        Eigen::MatrixXd::Zero(dof_handler.n_dofs(), n_columns);
-      for (Eigen::Index j = 0; j < n_columns; ++j)
-        {
-          forces(nodes.x_dofs[j], j) = normals(0, j);
-          forces(nodes.y_dofs[j], j) = normals(1, j);
-        }
-      const Eigen::MatrixXd displacements = direct_solver().solve(forces);
-      Eigen::MatrixXd       columns(n, n_columns);
-      for (Eigen::Index i = 0; i < n; ++i)
-        columns.row(i) = normals(0, i) * displacements.row(nodes.x_dofs[i]) +
-                         normals(1, i) * displacements.row(nodes.y_dofs[i]);
+        Eigen::MatrixXd::Zero(dof_handler.n_locally_owned_dofs(), n_columns);
+      for (Eigen::Index j = range.begin; j < range.end; ++j)
+        if (owns(j))
+          {
+            forces(local(nodes.x_dofs[j]), j - range.begin) = normals(0, j);
+            forces(local(nodes.y_dofs[j]), j - range.begin) = normals(1, j);
+          }
+      const Eigen::MatrixXd displacements = linear_solver().solve(forces);
+      Eigen::MatrixXd       columns =
+        Eigen::MatrixXd::Zero(nodes.n_nodes(), n_columns);
+      for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+        if (owns(i))
+          columns.row(i) =
+            normals(0, i) * displacements.row(local(nodes.x_dofs[i])) +
+            normals(1, i) * displacements.row(local(nodes.y_dofs[i]));
+      Ranks::sum(columns, dof_handler.get_communicator());
       return columns;
     }
 
 
 
-    dealii::Vector<double>
+    MeshVector
     BushingElasticity::solve(const Eigen::Matrix2Xd &nodal_forces) const
     {
       AssertDimension(nodal_forces.cols(), nodes.n_nodes());
-      dealii::Vector<double> forces(dof_handler.n_dofs());
+      Eigen::VectorXd forces =
+        Eigen::VectorXd::Zero(dof_handler.n_locally_owned_dofs());
       for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
-        {
-          forces[nodes.x_dofs[i]] = nodal_forces(0, i);
-          forces[nodes.y_dofs[i]] = nodal_forces(1, i);
-        }
-      dealii::Vector<double> displacement = direct_solver().solve(forces);
+        if (owns(i))
+          {
+            forces[local(nodes.x_dofs[i])] = nodal_forces(0, i);
+            forces[local(nodes.y_dofs[i])] = nodal_forces(1, i);
+          }
+      const Eigen::VectorXd solution     = linear_solver().solve(forces);
+      MeshVector            displacement = make_mesh_vector(dof_handler);
+      std::copy(solution.begin(), solution.end(), displacement.begin());
       constraints.distribute(displacement);
+      displacement.update_ghost_values();
       return displacement;
     }
   } // namespace Elasticity

@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -89,7 +90,8 @@ namespace Tribody
                                           dealii::update_JxW_values);
       dealii::FullMatrix<double>                   cell_matrix(n, n);
       std::vector<dealii::types::global_dof_index> dofs(n);
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
             {

@@ -1,9 +1,12 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/mesh_algebra.h>
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/elasticity/ring_mesh.h>
@@ -21,6 +24,24 @@ namespace Tribody
   {
     namespace
     {
+      /// Of the k-th of n layers, counted from the inner radius; a whole one
+      /// or a part.
+      double
+      layer_radius(const double inner_radius,
+                   const double outer_radius,
+                   const double k,
+                   const unsigned int n,
+                   const double grading)
+      {
+        const double from_rim = 1. - k / n;
+        const double part =
+          grading > 0. ? std::tanh(grading * from_rim) / std::tanh(grading) :
+                         from_rim;
+        return outer_radius - part * (outer_radius - inner_radius);
+      }
+
+
+
       // GridGenerator::concentric_hyper_shells() merges rings of cells by the
       // places of their vertices, and for some numbers of cells and layers
       // leaves some unmerged: a crack.
@@ -37,12 +58,8 @@ namespace Tribody
         std::vector<dealii::Point<2>> vertices;
         for (unsigned int k = 0; k <= n_layers; ++k)
           {
-            const double from_rim = 1. - static_cast<double>(k) / n_layers;
-            const double part =
-              grading > 0. ? std::tanh(grading * from_rim) / std::tanh(grading)
-                           : from_rim;
             const double r =
-              outer_radius - part * (outer_radius - inner_radius);
+              layer_radius(inner_radius, outer_radius, k, n_layers, grading);
             for (unsigned int i = 0; i < n; ++i)
               {
                 const double angle = 2. * M_PI * i / n;
@@ -75,6 +92,53 @@ namespace Tribody
         triangulation.create_triangulation(vertices, cells, boundary);
         triangulation.set_all_manifold_ids(0);
         triangulation.set_manifold(0, dealii::SphericalManifold<2>());
+      }
+
+
+
+      // Every rank holds the coarse mesh of a distributed one. It is therefore
+      // as coarse as numbers of cells can be halved, and refined on the ranks
+      // that own what comes of it. Layers are graded at last: refinement makes
+      // equal ones.
+      void
+      make_distributed_shells(const RingMeshParameters &parameters,
+                              const double              inner_radius,
+                              const double              outer_radius,
+                              dealii::Triangulation<2> &triangulation)
+      {
+        constexpr unsigned int fewest_around = 8;
+        unsigned int           n             = parameters.n_bore_cells;
+        unsigned int           n_layers      = parameters.n_radial_cells;
+        unsigned int           n_refinements = 0;
+        for (; n % 2 == 0 && n_layers % 2 == 0 && n / 2 >= fewest_around;
+             ++n_refinements)
+          {
+            n /= 2;
+            n_layers /= 2;
+          }
+        make_shells(inner_radius,
+                    outer_radius,
+                    n,
+                    n_layers,
+                    /*grading = */ 0.,
+                    BoundaryIds::bore,
+                    BoundaryIds::rim,
+                    triangulation);
+        triangulation.refine_global(n_refinements);
+        const double layer =
+          (outer_radius - inner_radius) / parameters.n_radial_cells;
+        dealii::GridTools::transform(
+          [&](const dealii::Point<2> &x) {
+            const double r = x.norm();
+            const double k = std::round((r - inner_radius) / layer);
+            return dealii::Point<2>(layer_radius(inner_radius,
+                                                 outer_radius,
+                                                 k,
+                                                 parameters.n_radial_cells,
+                                                 parameters.grading) /
+                                    r * x);
+          },
+          triangulation);
       }
     } // namespace
 
@@ -173,6 +237,11 @@ namespace Tribody
                    const double                 outer_radius,
                    dealii::Triangulation<2, 2> &triangulation)
     {
+      if (is_distributed(triangulation))
+        return make_distributed_shells(parameters,
+                                       inner_radius,
+                                       outer_radius,
+                                       triangulation);
       make_shells(inner_radius,
                   outer_radius,
                   parameters.n_bore_cells,
@@ -202,7 +271,8 @@ namespace Tribody
       for (unsigned int k = 1; k <= parameters.n_sector_refinements; ++k)
         {
           bool any = false;
-          for (const auto &cell : triangulation.active_cell_iterators())
+          for (const auto &cell : triangulation.active_cell_iterators() |
+                                    dealii::IteratorFilters::LocallyOwnedCell())
             {
               const dealii::Point<2> centre = cell->center();
               if (from_middle(centre) < half_width &&
@@ -212,7 +282,8 @@ namespace Tribody
                   any = true;
                 }
             }
-          AssertThrow(any,
+          AssertThrow(dealii::Utilities::MPI::logical_or(
+                        any, triangulation.get_communicator()),
                       ExcParameter(path + "/Refined sector",
                                    "is narrower than a cell: nothing would be "
                                    "refined; more 'Bore cells' or a wider "
@@ -228,12 +299,15 @@ namespace Tribody
                   const double                       inner_radius)
     {
       double thinnest = std::numeric_limits<double>::max();
-      for (const auto &face : triangulation.active_face_iterators())
-        if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
-          for (const unsigned int v : face->vertex_indices())
-            thinnest =
-              std::min(thinnest, face->vertex(v).norm() - inner_radius);
-      return thinnest;
+      for (const auto &cell : triangulation.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
+            for (const unsigned int v : face->vertex_indices())
+              thinnest =
+                std::min(thinnest, face->vertex(v).norm() - inner_radius);
+      return dealii::Utilities::MPI::min(thinnest,
+                                         triangulation.get_communicator());
     }
 
 

@@ -3,6 +3,7 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -68,7 +69,8 @@ namespace Tribody
       dealii::FullMatrix<double> cell_matrix(fe.n_dofs_per_cell(),
                                              fe.n_dofs_per_cell());
       std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
         {
           fe_values.reinit(cell);
           compute_cell_matrix(fe_values, law, cell_matrix);

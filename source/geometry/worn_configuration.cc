@@ -1,17 +1,20 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
-#include <tribody/base/direct_solver.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/linear_solver.h>
+#include <tribody/base/ranks.h>
 #include <tribody/geometry/worn_configuration.h>
 #include <tribody/surface/boundary_ids.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -49,13 +52,14 @@ namespace Tribody
       dof_handler.distribute_dofs(fe);
       nodes = make_bore_nodes(dof_handler);
 
+      hanging_nodes.reinit(relevant_dofs(dof_handler));
       dealii::DoFTools::make_hanging_node_constraints(dof_handler,
                                                       hanging_nodes);
       hanging_nodes.close();
 
-      const dealii::types::global_dof_index n_dofs = dof_handler.n_dofs();
-      dealii::Vector<double>                straight(n_dofs);
-      curvature.reinit(n_dofs);
+      wear                = make_mesh_vector(dof_handler);
+      curvature           = make_mesh_vector(dof_handler);
+      MeshVector straight = make_mesh_vector(dof_handler);
       dealii::VectorTools::get_position_vector(dealii::MappingQ<2>(degree),
                                                dof_handler,
                                                curvature);
@@ -66,13 +70,13 @@ namespace Tribody
       // cell's curved edge.
       hanging_nodes.distribute(curvature);
       curvature -= straight;
+      curvature.update_ghost_values();
 
-      wear.reinit(n_dofs);
+      wear.update_ghost_values();
       mesh_displacement = curvature;
       worn_mapping =
-        std::make_unique<dealii::MappingQEulerian<2>>(degree,
-                                                      dof_handler,
-                                                      mesh_displacement);
+        std::make_unique<dealii::MappingQEulerian<2, MeshVector>>(
+          degree, dof_handler, mesh_displacement);
       unworn_area_elements = area_elements();
       setup_extension();
     }
@@ -91,6 +95,7 @@ namespace Tribody
       // root, in parts of the wall, is how far it spreads what it should not.
       constexpr double sideways = 1e-6;
 
+      fixed_boundary.reinit(relevant_dofs(dof_handler));
       fixed_boundary.merge(hanging_nodes);
       for (const auto id : {BoundaryIds::bore, BoundaryIds::rim})
         dealii::DoFTools::make_zero_boundary_constraints(dof_handler,
@@ -98,13 +103,11 @@ namespace Tribody
                                                          fixed_boundary);
       fixed_boundary.close();
 
-      dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
-      dealii::DoFTools::make_sparsity_pattern(dof_handler,
-                                              sparsity,
-                                              hanging_nodes);
-      const auto &dofs = dof_handler.locally_owned_dofs();
-      extension.reinit(dofs, sparsity, MPI_COMM_SELF);
-      constrained_extension.reinit(dofs, sparsity, MPI_COMM_SELF);
+      for (auto *matrix : {&extension, &constrained_extension})
+        reinit_matrix(dof_handler,
+                      hanging_nodes,
+                      /*keep_constrained_dofs = */ true,
+                      *matrix);
 
       const dealii::MappingQ<2>                    as_manufactured(fe.degree);
       const unsigned int                           n = fe.n_dofs_per_cell();
@@ -116,7 +119,8 @@ namespace Tribody
                                       dealii::update_JxW_values);
       dealii::FullMatrix<double>                   cell_matrix(n, n);
       std::vector<dealii::types::global_dof_index> cell_dofs(n);
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
         {
           fe_values.reinit(cell);
           cell_matrix = 0.;
@@ -149,7 +153,7 @@ namespace Tribody
         }
       extension.compress(dealii::VectorOperation::add);
       constrained_extension.compress(dealii::VectorOperation::add);
-      solver = std::make_unique<DirectSolver>(constrained_extension);
+      solver = make_linear_solver(constrained_extension, dof_handler);
     }
 
 
@@ -158,50 +162,73 @@ namespace Tribody
     WornConfiguration::update(const Eigen::VectorXd &wear_depth)
     {
       AssertDimension(wear_depth.size(), nodes.n_nodes());
-      const dealii::Vector<double> new_wear = compute_extension(wear_depth);
-      dealii::Vector<double>       new_displacement(new_wear);
+      const MeshVector new_wear         = compute_extension(wear_depth);
+      MeshVector       new_displacement = new_wear;
       new_displacement += curvature;
       check_cells(new_displacement, wear_depth.maxCoeff());
 
       wear = new_wear;
       // The mapping points to this vector.
       mesh_displacement = new_displacement;
+      lost_area         = compute_removed_area();
     }
 
 
 
-    dealii::Vector<double>
+    MeshVector
     WornConfiguration::compute_extension(
       const Eigen::VectorXd &wear_depth) const
     {
       const Eigen::Matrix2Xd moved =
         nodes.radial_directions() * wear_depth.asDiagonal();
-      dealii::Vector<double> at_bore(dof_handler.n_dofs());
+      MeshVector at_bore = make_mesh_vector(dof_handler);
       for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
-        {
-          at_bore[nodes.x_dofs[i]] = moved(0, i);
-          at_bore[nodes.y_dofs[i]] = moved(1, i);
-        }
+        if (at_bore.in_local_range(nodes.x_dofs[i]))
+          {
+            at_bore[nodes.x_dofs[i]] = moved(0, i);
+            at_bore[nodes.y_dofs[i]] = moved(1, i);
+          }
 
       // The bore's share is moved to the right-hand side; hanging nodes have
       // no equation of their own.
-      dealii::Vector<double> right_hand_side(dof_handler.n_dofs());
+      MeshVector right_hand_side = make_mesh_vector(dof_handler);
       extension.vmult(right_hand_side, at_bore);
       right_hand_side *= -1.;
       fixed_boundary.set_zero(right_hand_side);
 
-      dealii::Vector<double> extended = solver->solve(right_hand_side);
+      const Eigen::VectorXd solution =
+        solver->solve(Eigen::Map<const Eigen::VectorXd>(
+          right_hand_side.begin(), right_hand_side.locally_owned_size()));
+      MeshVector extended = make_mesh_vector(dof_handler);
+      std::copy(solution.begin(), solution.end(), extended.begin());
       fixed_boundary.set_zero(extended);
       extended += at_bore;
       hanging_nodes.distribute(extended);
+      extended.update_ghost_values();
       return extended;
     }
 
 
 
     WornConfiguration::JacobianRatio
-    WornConfiguration::smallest_ratio(
-      const dealii::Vector<double> &displacement) const
+    WornConfiguration::smallest_ratio(const MeshVector &displacement) const
+    {
+      const JacobianRatio own   = smallest_own_ratio(displacement);
+      const MPI_Comm      ranks = dof_handler.get_communicator();
+      JacobianRatio       smallest;
+      for (const auto &of_rank : dealii::Utilities::MPI::all_gather(
+             ranks, std::make_pair(own.value, own.cell_centre)))
+        if (std::isnan(of_rank.first))
+          return {of_rank.first, of_rank.second};
+        else if (of_rank.first < smallest.value)
+          smallest = {of_rank.first, of_rank.second};
+      return smallest;
+    }
+
+
+
+    WornConfiguration::JacobianRatio
+    WornConfiguration::smallest_own_ratio(const MeshVector &displacement) const
     {
       // The Jacobian of the mapping is that of the straight-sided cell times
       // det(I + grad w), so no mapping has to be inverted to know its sign.
@@ -217,7 +244,8 @@ namespace Tribody
       std::vector<dealii::Tensor<2, 2>>        gradients(points.size());
       const auto    identity = dealii::unit_symmetric_tensor<2>();
       JacobianRatio smallest;
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
         {
           fe_values.reinit(cell);
           fe_values[moved].get_function_gradients(displacement, gradients);
@@ -236,7 +264,7 @@ namespace Tribody
 
 
     void
-    WornConfiguration::check_cells(const dealii::Vector<double> &displacement,
+    WornConfiguration::check_cells(const MeshVector &displacement,
                                    const double max_wear_depth) const
     {
       const JacobianRatio smallest = smallest_ratio(displacement);
@@ -256,12 +284,14 @@ namespace Tribody
     Eigen::Matrix2Xd
     WornConfiguration::worn_positions() const
     {
-      Eigen::Matrix2Xd positions = nodes.positions;
+      Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(2, nodes.n_nodes());
       for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
-        {
-          positions(0, i) += wear[nodes.x_dofs[i]];
-          positions(1, i) += wear[nodes.y_dofs[i]];
-        }
+        if (wear.in_local_range(nodes.x_dofs[i]))
+          {
+            positions(0, i) = nodes.positions(0, i) + wear[nodes.x_dofs[i]];
+            positions(1, i) = nodes.positions(1, i) + wear[nodes.y_dofs[i]];
+          }
+      Ranks::sum(positions, dof_handler.get_communicator());
       return positions;
     }
 
@@ -275,7 +305,8 @@ namespace Tribody
                                     dealii::QGauss<2>(fe.degree + 1),
                                     dealii::update_JxW_values);
       std::vector<double> elements;
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
         {
           fe_values.reinit(cell);
           elements.insert(elements.end(),
@@ -291,20 +322,24 @@ namespace Tribody
     WornConfiguration::area() const
     {
       const std::vector<double> elements = area_elements();
-      return std::accumulate(elements.begin(), elements.end(), 0.);
+      return dealii::Utilities::MPI::sum(
+        std::accumulate(elements.begin(), elements.end(), 0.),
+        dof_handler.get_communicator());
     }
 
 
 
     double
-    WornConfiguration::removed_area() const
+    WornConfiguration::compute_removed_area() const
     {
-      return std::inner_product(unworn_area_elements.begin(),
-                                unworn_area_elements.end(),
-                                area_elements().begin(),
-                                0.,
-                                std::plus<>(),
-                                std::minus<>());
+      return dealii::Utilities::MPI::sum(
+        std::inner_product(unworn_area_elements.begin(),
+                           unworn_area_elements.end(),
+                           area_elements().begin(),
+                           0.,
+                           std::plus<>(),
+                           std::minus<>()),
+        dof_handler.get_communicator());
     }
   } // namespace Geometry
 } // namespace Tribody

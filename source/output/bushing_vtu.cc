@@ -2,7 +2,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping.h>
-#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
@@ -19,15 +18,18 @@ namespace Tribody
     {
       // Two scalar fields on the bore, carried by the two components of the
       // vector-valued element, so that no second numbering is needed.
-      dealii::Vector<double>
+      MeshVector
       make_bore_field(const BushingFields &fields)
       {
-        dealii::Vector<double> values(fields.dof_handler.n_dofs());
-        for (Eigen::Index i = 0; i < fields.bore_nodes.n_nodes(); ++i)
-          {
-            values[fields.bore_nodes.x_dofs[i]] = fields.contact_pressure[i];
-            values[fields.bore_nodes.y_dofs[i]] = fields.wear_depth[i];
-          }
+        const BoreNodes &nodes  = fields.bore_nodes;
+        MeshVector       values = make_mesh_vector(fields.dof_handler);
+        for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+          if (values.in_local_range(nodes.x_dofs[i]))
+            {
+              values[nodes.x_dofs[i]] = fields.contact_pressure[i];
+              values[nodes.y_dofs[i]] = fields.wear_depth[i];
+            }
+        values.update_ghost_values();
         return values;
       }
     } // namespace
@@ -45,7 +47,7 @@ namespace Tribody
         2, Interpretation::component_is_scalar);
 
       // DataOut keeps a pointer to every vector: this one must outlive it.
-      const dealii::Vector<double> bore_field = make_bore_field(fields);
+      const MeshVector bore_field = make_bore_field(fields);
 
       dealii::DataOut<2> data_out;
       data_out.attach_dof_handler(fields.dof_handler);
@@ -67,6 +69,12 @@ namespace Tribody
                              fields.dof_handler.get_fe().degree,
                              dealii::DataOut<2>::curved_inner_cells);
 
+      if (is_distributed(fields.dof_handler.get_triangulation()))
+        {
+          data_out.write_vtu_in_parallel(
+            file_name, fields.dof_handler.get_communicator());
+          return;
+        }
       std::ofstream file(file_name);
       data_out.write_vtu(file);
       AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));

@@ -1,10 +1,16 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/filtered_iterator.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/surface/bore_nodes.h>
+
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/set.hpp>
+#include <boost/serialization/utility.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +31,13 @@ namespace Tribody
       global_dof_index x_dof;
       global_dof_index y_dof = dealii::numbers::invalid_dof_index;
       bool             is_vertex;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &position &angle &x_dof &y_dof &is_vertex;
+      }
     };
 
     /// The angle of @p point about the origin in [0, 2 pi); what rounding
@@ -65,7 +78,8 @@ namespace Tribody
       std::vector<global_dof_index> dofs(n);
 
       BoreFaces faces;
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() == boundary_id)
             {
@@ -95,6 +109,22 @@ namespace Tribody
                                             of_this_face.at(1).x_dof));
             }
       return faces;
+    }
+
+    /// What each rank has found in its cells, put together on all of them.
+    BoreFaces
+    gather(const BoreFaces &own, const MPI_Comm &communicator)
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return own;
+      BoreFaces all;
+      for (const auto &nodes :
+           dealii::Utilities::MPI::all_gather(communicator, own.nodes))
+        all.nodes.insert(nodes.begin(), nodes.end());
+      for (const auto &ends :
+           dealii::Utilities::MPI::all_gather(communicator, own.ends))
+        all.ends.insert(ends.begin(), ends.end());
+      return all;
     }
 
     /// Counter-clockwise, beginning with the vertex of smallest angle.
@@ -160,7 +190,9 @@ namespace Tribody
                   const dealii::types::boundary_id boundary_id)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
-    const BoreFaces    faces  = collect_bore_faces(dof_handler, boundary_id);
+    const BoreFaces    faces =
+      gather(collect_bore_faces(dof_handler, boundary_id),
+             dof_handler.get_communicator());
     const auto         nodes  = sort_nodes(faces);
     check_closed(nodes, faces, degree, boundary_id);
 

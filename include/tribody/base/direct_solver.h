@@ -1,9 +1,7 @@
 #ifndef tribody_base_direct_solver_h
 #define tribody_base_direct_solver_h
 
-#include <Eigen/Core>
-
-#include <memory>
+#include <tribody/base/linear_solver.h>
 
 class Amesos_BaseSolver;
 class Epetra_LinearProblem;
@@ -12,11 +10,6 @@ namespace dealii
 {
   template <typename Number>
   class Vector;
-
-  namespace TrilinosWrappers
-  {
-    class SparseMatrix;
-  }
 } // namespace dealii
 
 namespace Tribody
@@ -29,21 +22,21 @@ namespace Tribody
    * needs per vector little more than a third of that when it gets many. The
    * matrix must live on one rank (MPI_COMM_SELF) and outlive this object.
    */
-  class DirectSolver
+  class DirectSolver : public LinearSolver
   {
   public:
     /// Factorise @p matrix. @throws ExcRun if it is singular.
     explicit DirectSolver(const dealii::TrilinosWrappers::SparseMatrix &matrix);
 
-    ~DirectSolver();
+    ~DirectSolver() override;
 
     DirectSolver(const DirectSolver &) = delete;
     DirectSolver &
     operator=(const DirectSolver &) = delete;
 
-    /// The solutions for the columns of @p right_hand_sides.
     Eigen::MatrixXd
-    solve(const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const;
+    solve(
+      const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const override;
 
     /// The solution for one right-hand side.
     dealii::Vector<double>

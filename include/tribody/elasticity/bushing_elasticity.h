@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <tribody/base/mesh_algebra.h>
+#include <tribody/base/ranks.h>
 #include <tribody/elasticity/plane_state.h>
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/surface_compliance.h>
@@ -19,13 +21,11 @@ namespace dealii
 {
   template <int dim, int spacedim>
   class Mapping;
-  template <typename Number>
-  class Vector;
 } // namespace dealii
 
 namespace Tribody
 {
-  class DirectSolver;
+  class LinearSolver;
 
   namespace Elasticity
   {
@@ -43,6 +43,10 @@ namespace Tribody
      * normal_compliance() for the contact and solve() for output. The stiffness
      * is assembled once per geometry and factorised for what is asked for. For
      * 180 by 6 quadratic cells all this takes 0.1 s.
+     *
+     * If the mesh is distributed, its ranks share cells and equations, which
+     * are then solved by MultigridSolver; all of them must call every function
+     * together. The bore nodes and the compliance are known to all of them.
      */
     class BushingElasticity
     {
@@ -70,10 +74,11 @@ namespace Tribody
        * @param symmetry of mesh and geometry; with cells that are all alike,
        *   one column per node of a cell is solved for. Without, all columns are
        *   the inverse of what a Cholesky factor leaves of the stiffness at the
-       *   bore, see CholeskyFactor.
-       * @param communicator of ranks that hold the same bushing and share the
-       *   columns. All of them get the result, which does not depend on their
-       *   number.
+       *   bore, see CholeskyFactor; or solved for if the mesh is
+       *   distributed, to MultigridSolver::tolerance.
+       * @param communicator of ranks that hold the same bushing, on a serial
+       *   mesh, and share the columns. All of them get the result, which does
+       *   not depend on their number.
        * @throws ExcRun if the stiffness is singular.
        */
       Eigen::MatrixXd
@@ -83,7 +88,7 @@ namespace Tribody
 
       /// Displacement [m] under forces at the bore nodes [N/m], one column
       /// each.
-      dealii::Vector<double>
+      MeshVector
       solve(const Eigen::Matrix2Xd &nodal_forces) const;
 
       const dealii::DoFHandler<2, 2> &
@@ -113,13 +118,22 @@ namespace Tribody
       }
 
     private:
-      /// For single right-hand sides, factorised when first needed.
-      const DirectSolver &
-      direct_solver() const;
+      /// For single right-hand sides, made ready when first needed.
+      const LinearSolver &
+      linear_solver() const;
 
+      /// Of the compliance, those in @p range.
       Eigen::MatrixXd
-      first_columns(const Eigen::Matrix2Xd &normals,
-                    const Eigen::Index      n_columns) const;
+      compliance_columns(const Eigen::Matrix2Xd &normals,
+                         const Ranks::Range      range) const;
+
+      /// Whether this rank owns the degrees of freedom of a bore node.
+      bool
+      owns(const Eigen::Index node) const;
+
+      /// Where a rank keeps a degree of freedom among those it owns.
+      Eigen::Index
+      local(const dealii::types::global_dof_index dof) const;
 
       PlaneHooke                             law;
       RimSupport                             support;
@@ -129,7 +143,7 @@ namespace Tribody
       BoreNodes                              nodes;
       dealii::TrilinosWrappers::SparseMatrix stiffness;
       bool                                   is_assembled = false;
-      mutable std::unique_ptr<DirectSolver>  solver;
+      mutable std::unique_ptr<LinearSolver>  solver;
     };
   } // namespace Elasticity
 } // namespace Tribody

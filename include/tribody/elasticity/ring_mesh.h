@@ -56,6 +56,11 @@ namespace Tribody
      * radii of the layers are
      * @f[ r_k = r_o - (r_o - r_i)\,\frac{\tanh(\gamma (1 - k/n))}{\tanh\gamma}
      * @f] with the grading @f$\gamma@f$.
+     *
+     * A distributed mesh is refined from the coarsest ring that halving both
+     * numbers of cells leads to, as every rank holds that one. It must not be
+     * repartitioned later: cells that come to another rank are made anew there,
+     * and without the grading.
      */
     void
     make_ring_mesh(const RingMeshParameters    &parameters,

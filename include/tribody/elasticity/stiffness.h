@@ -27,7 +27,7 @@ namespace Tribody
      * \varphi_i)\,dx @f$ [Pa] on the image of the mesh under @p mapping. The
      * element of @p dof_handler must be FESystem<2>(FE_Q<2>(p), 2). Rows and
      * columns of the degrees of freedom in @p constraints are replaced by
-     * diagonal entries.
+     * diagonal entries. Each rank goes over the cells that it owns.
      *
      * @param matrix what it held before is lost; its sparsity must be that of
      *   @p dof_handler and @p constraints.

@@ -6,10 +6,10 @@
 #include <deal.II/fe/mapping_q_eulerian.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <Eigen/Core>
 
+#include <tribody/base/mesh_algebra.h>
 #include <tribody/surface/bore_nodes.h>
 
 #include <limits>
@@ -19,7 +19,7 @@
 
 namespace Tribody
 {
-  class DirectSolver;
+  class LinearSolver;
 
   namespace Geometry
   {
@@ -43,6 +43,9 @@ namespace Tribody
      * on the manifold, minus that in the straight-sided cell, plus w. It also
      * keeps pointers to vector and DoFHandler, which therefore live here,
      * in one object that is neither copied nor moved.
+     *
+     * If the mesh is distributed, all of its ranks must call every function
+     * together, but for removed_area(); the bore nodes are known to all.
      */
     class WornConfiguration
     {
@@ -93,7 +96,10 @@ namespace Tribody
       /// Area that wear has removed [m^2], added up cell by cell: the
       /// difference of two areas would drown little wear in rounding.
       double
-      removed_area() const;
+      removed_area() const
+      {
+        return lost_area;
+      }
 
       /// Area of the worn ring [m^2], by quadrature over its cells.
       double
@@ -109,7 +115,7 @@ namespace Tribody
       }
 
       /// The displacement w [m] by wear alone, for output.
-      const dealii::Vector<double> &
+      const MeshVector &
       wear_displacement() const
       {
         return wear;
@@ -128,21 +134,29 @@ namespace Tribody
         dealii::Point<2> cell_centre;
       };
 
+      /// In the cells of this rank, and in those of all ranks.
       JacobianRatio
-      smallest_ratio(const dealii::Vector<double> &displacement) const;
+      smallest_own_ratio(const MeshVector &displacement) const;
 
-      /// Area that each quadrature point stands for [m^2].
+      JacobianRatio
+      smallest_ratio(const MeshVector &displacement) const;
+
+      /// Area that each quadrature point in the cells of this rank stands for
+      /// [m^2].
       std::vector<double>
       area_elements() const;
+
+      double
+      compute_removed_area() const;
 
       void
       setup_extension();
 
-      dealii::Vector<double>
+      MeshVector
       compute_extension(const Eigen::VectorXd &wear_depth) const;
 
       void
-      check_cells(const dealii::Vector<double> &displacement,
+      check_cells(const MeshVector &displacement,
                   const double                  max_wear_depth) const;
 
       std::string                            name;
@@ -153,15 +167,16 @@ namespace Tribody
       BoreNodes                              nodes;
       dealii::TrilinosWrappers::SparseMatrix extension;
       dealii::TrilinosWrappers::SparseMatrix constrained_extension;
-      std::unique_ptr<DirectSolver>          solver;
+      std::unique_ptr<LinearSolver>          solver;
 
       /// Manifold minus straight-sided cells.
-      dealii::Vector<double> curvature;
-      dealii::Vector<double> wear;
+      MeshVector curvature;
+      MeshVector wear;
       /// What the mapping adds to the straight-sided cells: curvature + wear.
-      dealii::Vector<double>                       mesh_displacement;
-      std::unique_ptr<dealii::MappingQEulerian<2>> worn_mapping;
+      MeshVector                       mesh_displacement;
+      std::unique_ptr<dealii::MappingQEulerian<2, MeshVector>> worn_mapping;
       std::vector<double>                          unworn_area_elements;
+      double                                                   lost_area = 0.;
     };
   } // namespace Geometry
 } // namespace Tribody

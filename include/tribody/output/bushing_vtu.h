@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <tribody/base/mesh_algebra.h>
 #include <tribody/surface/bore_nodes.h>
 
 #include <string>
@@ -13,8 +14,6 @@ namespace dealii
   class DataPostprocessor;
   template <int dim, int spacedim>
   class Mapping;
-  template <typename Number>
-  class Vector;
 } // namespace dealii
 
 namespace Tribody
@@ -32,9 +31,9 @@ namespace Tribody
       const BoreNodes                    &bore_nodes;
       const dealii::DataPostprocessor<2> &stresses;
       /// Elastic displacement [m] in the sample shown.
-      const dealii::Vector<double> &displacement;
+      const MeshVector &displacement;
       /// By how much wear has moved the mesh [m].
-      const dealii::Vector<double> &wear_displacement;
+      const MeshVector &wear_displacement;
       /// At the bore nodes: contact pressure [Pa] in the sample shown and wear
       /// depth [m].
       const Eigen::VectorXd &contact_pressure;
@@ -45,7 +44,8 @@ namespace Tribody
      * Write a VTU file for ParaView: the bushing on its worn geometry [m] with
      * displacement and wear_displacement (vectors), the stresses of the
      * postprocessor, and contact_pressure and wear_depth, which live on the
-     * bore and are zero at all nodes inside.
+     * bore and are zero at all nodes inside. The ranks of a distributed mesh
+     * write one file together.
      *
      * @throws ExcRun if the file cannot be written.
      */

@@ -1,0 +1,64 @@
+#ifndef tribody_base_multigrid_solver_h
+#define tribody_base_multigrid_solver_h
+
+#include <tribody/base/linear_solver.h>
+
+namespace dealii
+{
+  namespace TrilinosWrappers
+  {
+    class PreconditionAMG;
+  }
+} // namespace dealii
+
+namespace Tribody
+{
+  /**
+   * A symmetric and positive definite matrix whose rows ranks share, solved by
+   * conjugate gradients (Trilinos' Belos) with algebraic multigrid (ML, smoothed
+   * aggregation) as preconditioner. The columns of a block are iterated side by
+   * side, each with its own search directions, so that matrix and
+   * preconditioner are read once for all of them.
+   *
+   * Columns are solved until the residual is @ref tolerance times the
+   * right-hand side. The displacement in a column u_j of the inverse is then
+   * wrong by less than tolerance times the length |u_i| of the column of the
+   * place where one looks, a few times the largest displacement.
+   */
+  class MultigridSolver : public LinearSolver
+  {
+  public:
+    /// Of the residual, as a fraction of the right-hand side [-]: two digits
+    /// above what rounding leaves.
+    static constexpr double tolerance = 1e-12;
+
+    /**
+     * Set up the levels.
+     * @param dof_handler of the unknowns, whose components are the constant
+     *   vectors that the coarse levels represent.
+     */
+    MultigridSolver(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                    const dealii::DoFHandler<2, 2>               &dof_handler);
+
+    ~MultigridSolver() override;
+
+    /// @throws ExcRun on all ranks if the iteration does not converge.
+    Eigen::MatrixXd
+    solve(
+      const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const override;
+
+    /// Iterations that the last solve() took for its slowest column.
+    unsigned int
+    n_iterations() const
+    {
+      return iterations;
+    }
+
+  private:
+    const dealii::TrilinosWrappers::SparseMatrix              &matrix;
+    std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> preconditioner;
+    mutable unsigned int                                       iterations = 0;
+  };
+} // namespace Tribody
+
+#endif
