@@ -11,7 +11,6 @@
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <Epetra_MultiVector.h>
-
 #include <string>
 
 namespace Tribody
@@ -46,8 +45,8 @@ namespace Tribody
   {
     using Problem =
       Belos::LinearProblem<double, Epetra_MultiVector, Epetra_Operator>;
-    using Solver = Belos::
-      PseudoBlockCGSolMgr<double, Epetra_MultiVector, Epetra_Operator>;
+    using Solver =
+      Belos::PseudoBlockCGSolMgr<double, Epetra_MultiVector, Epetra_Operator>;
     // Far more than a preconditioner that works needs, whatever the mesh.
     constexpr int max_iterations = 1000;
 

@@ -1,3 +1,4 @@
+#include <deal.II/distributed/tria.h>
 #include <deal.II/grid/tria.h>
 
 #include <tribody/coupling/bushing_mesh.h>
@@ -7,12 +8,34 @@ namespace Tribody
 {
   namespace Coupling
   {
-    dealii::Triangulation<2>
-    make_bushing_mesh(const BushingParameters &parameters,
-                      const double             bushing_radius)
+    namespace
     {
-      const std::string        path = "Bushing " + parameters.name + "/Mesh";
-      dealii::Triangulation<2> triangulation;
+      std::unique_ptr<dealii::Triangulation<2>>
+      make_empty_mesh(const BushingParameters &parameters,
+                      const MPI_Comm          &communicator)
+      {
+        using Distributed = dealii::parallel::distributed::Triangulation<2>;
+        if (!parameters.shares_mesh())
+          return std::make_unique<dealii::Triangulation<2>>();
+        // Vertices of make_ring_mesh() that are moved would not follow to
+        // another rank.
+        return std::make_unique<Distributed>(
+          communicator,
+          dealii::Triangulation<2>::none,
+          Distributed::no_automatic_repartitioning);
+      }
+    } // namespace
+
+
+
+    std::unique_ptr<dealii::Triangulation<2>>
+    make_bushing_mesh(const BushingParameters &parameters,
+                      const double             bushing_radius,
+                      const MPI_Comm          &communicator)
+    {
+      const std::string path = "Bushing " + parameters.name + "/Mesh";
+      auto              mesh = make_empty_mesh(parameters, communicator);
+      dealii::Triangulation<2> &triangulation = *mesh;
       if (parameters.mesh_file.is_given())
         Elasticity::read_ring_mesh(parameters.mesh_file,
                                    bushing_radius,
@@ -30,7 +53,7 @@ namespace Tribody
                                                           bushing_radius),
                                 path,
                                 triangulation);
-      return triangulation;
+      return mesh;
     }
 
 

@@ -76,6 +76,18 @@ namespace Tribody
                               "geometry.",
                               1,
                               3);
+      Parameters::add_choice(
+        prm,
+        "Stiffness solver",
+        stiffness_solver,
+        {"direct", "multigrid"},
+        "How displacements are found from forces. 'direct': every rank has the "
+        "whole mesh and factorises its stiffness, the fastest as long as that "
+        "fits its memory. 'multigrid': the ranks share the cells, and "
+        "conjugate gradients with algebraic multigrid find every displacement "
+        "to 1e-12 of the force. A ring is shared best if powers of two divide "
+        "its bore cells and radial cells; cells of a refined sector stay on "
+        "the rank that had them.");
       Parameters::add_quantity(prm,
                                "Wear coefficient",
                                wear_coefficient,

@@ -1,6 +1,7 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q.h>
-#include <deal.II/lac/vector.h>
 
+#include <tribody/base/ranks.h>
 #include <tribody/coupling/bushing_mesh.h>
 #include <tribody/coupling/elastic_joint.h>
 #include <tribody/elasticity/pin_elasticity.h>
@@ -52,12 +53,13 @@ namespace Tribody
       , pressure_model(parameters.pressure_model)
       , outer_radius(parameters.outer_radius)
       , cells_are_alike(parameters.cells_are_alike())
-      , triangulation(make_bushing_mesh(parameters, joint.bushing_radius))
+      , triangulation(
+          make_bushing_mesh(parameters, joint.bushing_radius, communicator))
       , allowed_change(
           compliance_update *
-          Elasticity::thinnest_wall(triangulation, joint.bushing_radius))
-      , geometry(triangulation, parameters.element_degree, parameters.name)
-      , elasticity(triangulation,
+          Elasticity::thinnest_wall(*triangulation, joint.bushing_radius))
+      , geometry(*triangulation, parameters.element_degree, parameters.name)
+      , elasticity(*triangulation,
                    parameters.element_degree,
                    joint.bushing_material,
                    plane_state(parameters.plane_state),
@@ -157,21 +159,28 @@ namespace Tribody
     ElasticJoint::write_vtu(const std::string              &file_name,
                             const Contact::ContactSolution &contact) const
     {
-      const Eigen::Matrix2Xd nodal_forces =
-        surface.normals * contact.nodal_force.asDiagonal();
-      const dealii::Vector<double> displacement =
-        elasticity.solve(nodal_forces);
-      const Elasticity::StressPostprocessor stresses(elasticity.hooke());
+      const auto write = [&]() {
+        const Eigen::Matrix2Xd nodal_forces =
+          surface.normals * contact.nodal_force.asDiagonal();
+        const MeshVector displacement = elasticity.solve(nodal_forces);
+        const Elasticity::StressPostprocessor stresses(elasticity.hooke());
 
-      Output::write_bushing_vtu(file_name,
-                                {geometry.mapping(),
-                                 elasticity.get_dof_handler(),
-                                 elasticity.bore_nodes(),
-                                 stresses,
-                                 displacement,
-                                 geometry.wear_displacement(),
-                                 contact.pressure,
-                                 depth});
+        Output::write_bushing_vtu(file_name,
+                                  {geometry.mapping(),
+                                   elasticity.get_dof_handler(),
+                                   elasticity.bore_nodes(),
+                                   stresses,
+                                   displacement,
+                                   geometry.wear_displacement(),
+                                   contact.pressure,
+                                   depth});
+      };
+      if (is_distributed(*triangulation))
+        return write();
+      Ranks::run_together(communicator, [&]() {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+          write();
+      });
     }
   } // namespace Coupling
 } // namespace Tribody

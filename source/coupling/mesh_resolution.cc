@@ -45,7 +45,7 @@ namespace Tribody
           count_layers(parameters.mesh,
                        2. * M_PI * joint.bushing_radius / n,
                        Elasticity::thinnest_wall(
-                         make_bushing_mesh(parameters, joint.bushing_radius),
+                         *make_bushing_mesh(parameters, joint.bushing_radius),
                          joint.bushing_radius));
       }
 

@@ -1,4 +1,7 @@
+#include <deal.II/base/mpi.h>
+
 #include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
 #include <tribody/base/units.h>
 #include <tribody/coupling/cycle_tables.h>
 #include <tribody/coupling/mechanism_picture.h>
@@ -49,12 +52,13 @@ namespace Tribody
                              const Multibody::Mechanism &mechanism,
                              Output::OutputDirectory    &directory,
                              Console                    &console,
-                             const bool                  is_first_rank)
+                             const MPI_Comm             &communicator)
       : parameters(parameters)
       , mechanism(mechanism)
       , directory(directory)
       , console(console)
-      , writes(is_first_rank)
+      , communicator(communicator)
+      , writes(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       , vtu_files(parameters.bushings.size())
     {}
 
@@ -95,8 +99,10 @@ namespace Tribody
     RunRecorder::record(const RunState                  &state,
                         const std::list<WearingBushing> &bushings)
     {
-      if (writes)
-        write_history_row(state, bushings);
+      Ranks::run_together(communicator, [&]() {
+        if (writes)
+          write_history_row(state, bushings);
+      });
 
       if (state.cycles >= next_output())
         record_fields(state, bushings);
@@ -130,11 +136,30 @@ namespace Tribody
       if (last_output_at == state.cycles ||
           state.contacts.size() != bushings.size())
         return;
-      if (writes)
-        write_fields(state, bushings);
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          std::string file_name;
+          Ranks::run_together(communicator, [&]() {
+            file_name = directory.joint_file(bushing.name(), vtu_name());
+          });
+          bushing.write_vtu(file_name, state.contacts[b++]);
+        }
+      Ranks::run_together(communicator, [&]() {
+        if (writes)
+          write_fields(state, bushings);
+      });
       // The next output is the same on all ranks.
       last_output_at = state.cycles;
       ++n_outputs;
+    }
+
+
+
+    std::string
+    RunRecorder::vtu_name() const
+    {
+      return Output::numbered_name("bushing", n_outputs, "vtu");
     }
 
 
@@ -152,9 +177,7 @@ namespace Tribody
       for (const WearingBushing &bushing : bushings)
         {
           write_bushing(state, bushing, state.contacts[b]);
-          const std::string name =
-            Output::numbered_name("bushing", n_outputs, "vtu");
-          vtu_files[b].emplace_back(state.cycles, name);
+          vtu_files[b].emplace_back(state.cycles, vtu_name());
           Output::write_pvd(directory.joint_file(bushing.name(), "bushing.pvd"),
                             vtu_files[b]);
           ++b;
@@ -275,11 +298,6 @@ namespace Tribody
 
       if (bushing.wearing_pin() != nullptr)
         write_pin(state, bushing);
-
-      bushing.write_vtu(directory.joint_file(
-                          bushing.name(),
-                          Output::numbered_name("bushing", n_outputs, "vtu")),
-                        contact);
     }
 
 

@@ -142,12 +142,8 @@ namespace Tribody
     void
     WearSimulation::run(Output::OutputDirectory &directory)
     {
-      RunRecorder recorder(parameters,
-                           mechanism,
-                           directory,
-                           console,
-                           dealii::Utilities::MPI::this_mpi_process(
-                             communicator) == 0);
+      RunRecorder recorder(
+        parameters, mechanism, directory, console, communicator);
       Ranks::run_together(communicator, [&]() { recorder.start(); });
       watch_for_interruption();
       try
@@ -229,8 +225,7 @@ namespace Tribody
     void
     WearSimulation::record(RunRecorder &recorder)
     {
-      Ranks::run_together(communicator,
-                          [&]() { recorder.record(state, bushings); });
+      recorder.record(state, bushings);
     }
 
 
@@ -238,8 +233,7 @@ namespace Tribody
     void
     WearSimulation::record_fields(RunRecorder &recorder)
     {
-      Ranks::run_together(communicator,
-                          [&]() { recorder.record_fields(state, bushings); });
+      recorder.record_fields(state, bushings);
     }
 
 

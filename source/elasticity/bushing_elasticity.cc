@@ -135,9 +135,9 @@ namespace Tribody
       const Eigen::Index n = nodes.n_nodes();
       AssertDimension(normals.cols(), n);
       if (symmetry == RingSymmetry::cells_alike)
-        return symmetric_part(
-          repeat_around(compliance_columns(normals, {0, nodes.degree})),
-          "bushing");
+        return symmetric_part(repeat_around(
+                                compliance_columns(normals, {0, nodes.degree})),
+                              "bushing");
 
       if (is_distributed(dof_handler.get_triangulation()))
         {

@@ -27,16 +27,16 @@ namespace Tribody
       /// Of the k-th of n layers, counted from the inner radius; a whole one
       /// or a part.
       double
-      layer_radius(const double inner_radius,
-                   const double outer_radius,
-                   const double k,
+      layer_radius(const double       inner_radius,
+                   const double       outer_radius,
+                   const double       k,
                    const unsigned int n,
-                   const double grading)
+                   const double       grading)
       {
         const double from_rim = 1. - k / n;
         const double part =
-          grading > 0. ? std::tanh(grading * from_rim) / std::tanh(grading) :
-                         from_rim;
+          grading > 0. ? std::tanh(grading * from_rim) / std::tanh(grading)
+                       : from_rim;
         return outer_radius - part * (outer_radius - inner_radius);
       }
 

@@ -74,9 +74,8 @@ namespace Tribody
 
       wear.update_ghost_values();
       mesh_displacement = curvature;
-      worn_mapping =
-        std::make_unique<dealii::MappingQEulerian<2, MeshVector>>(
-          degree, dof_handler, mesh_displacement);
+      worn_mapping = std::make_unique<dealii::MappingQEulerian<2, MeshVector>>(
+        degree, dof_handler, mesh_displacement);
       unworn_area_elements = area_elements();
       setup_extension();
     }
@@ -265,7 +264,7 @@ namespace Tribody
 
     void
     WornConfiguration::check_cells(const MeshVector &displacement,
-                                   const double max_wear_depth) const
+                                   const double      max_wear_depth) const
     {
       const JacobianRatio smallest = smallest_ratio(displacement);
       if (smallest.value > 0.)
@@ -322,9 +321,10 @@ namespace Tribody
     WornConfiguration::area() const
     {
       const std::vector<double> elements = area_elements();
-      return dealii::Utilities::MPI::sum(
-        std::accumulate(elements.begin(), elements.end(), 0.),
-        dof_handler.get_communicator());
+      return dealii::Utilities::MPI::sum(std::accumulate(elements.begin(),
+                                                         elements.end(),
+                                                         0.),
+                                         dof_handler.get_communicator());
     }
 
 

@@ -71,8 +71,8 @@ namespace Tribody
 
       if (is_distributed(fields.dof_handler.get_triangulation()))
         {
-          data_out.write_vtu_in_parallel(
-            file_name, fields.dof_handler.get_communicator());
+          data_out.write_vtu_in_parallel(file_name,
+                                         fields.dof_handler.get_communicator());
           return;
         }
       std::ofstream file(file_name);

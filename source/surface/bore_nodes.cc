@@ -5,12 +5,12 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/filtered_iterator.h>
 
-#include <tribody/base/exceptions.h>
-#include <tribody/surface/bore_nodes.h>
-
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/set.hpp>
 #include <boost/serialization/utility.hpp>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/surface/bore_nodes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -190,10 +190,9 @@ namespace Tribody
                   const dealii::types::boundary_id boundary_id)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
-    const BoreFaces    faces =
-      gather(collect_bore_faces(dof_handler, boundary_id),
-             dof_handler.get_communicator());
-    const auto         nodes  = sort_nodes(faces);
+    const BoreFaces faces = gather(collect_bore_faces(dof_handler, boundary_id),
+                                   dof_handler.get_communicator());
+    const auto      nodes = sort_nodes(faces);
     check_closed(nodes, faces, degree, boundary_id);
 
     BoreNodes bore_nodes;

@@ -15,10 +15,10 @@ namespace Tribody
 {
   /**
    * A symmetric and positive definite matrix whose rows ranks share, solved by
-   * conjugate gradients (Trilinos' Belos) with algebraic multigrid (ML, smoothed
-   * aggregation) as preconditioner. The columns of a block are iterated side by
-   * side, each with its own search directions, so that matrix and
-   * preconditioner are read once for all of them.
+   * conjugate gradients (Trilinos' Belos) with algebraic multigrid (ML,
+   * smoothed aggregation) as preconditioner. The columns of a block are
+   * iterated side by side, each with its own search directions, so that matrix
+   * and preconditioner are read once for all of them.
    *
    * Columns are solved until the residual is @ref tolerance times the
    * right-hand side. The displacement in a column u_j of the inverse is then

@@ -59,6 +59,8 @@ namespace Tribody
       std::string pressure_model = "finite element";
       /// Polynomial degree of the elements.
       unsigned int element_degree = 2;
+      /// "direct" or "multigrid".
+      std::string stiffness_solver = "direct";
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
       /// Instead of a ring, if there is one.
@@ -92,6 +94,13 @@ namespace Tribody
       /// @throws ExcParameter with paths that start with "Bushing <name>".
       void
       check(const Multibody::JointParameters &joint) const;
+
+      /// Whether the ranks share the cells of the mesh.
+      bool
+      shares_mesh() const
+      {
+        return stiffness_solver == "multigrid";
+      }
 
       /// Whether mesh and geometry look the same from each cell around the
       /// bore, unworn.

@@ -13,6 +13,7 @@
 #include <tribody/surface/bore_surface.h>
 #include <tribody/wear/wear_profile.h>
 
+#include <memory>
 #include <mpi.h>
 #include <string>
 
@@ -36,7 +37,8 @@ namespace Tribody
        * @param compliance_update change of the profile, as a fraction of the
        *   wall, after which the compliance is computed anew [-].
        * @param communicator of ranks that hold the same joint and share the
-       *   columns of its compliance.
+       *   columns of its compliance, or also its mesh: they must construct,
+       *   update() and write_vtu() together.
        */
       ElasticJoint(const BushingParameters          &parameters,
                    const Multibody::JointParameters &joint,
@@ -91,7 +93,7 @@ namespace Tribody
       }
 
       /// Write displacement and stresses under @p contact, and the wear, to a
-      /// VTU file.
+      /// VTU file: the first rank does, or all together if they share the mesh.
       void
       write_vtu(const std::string              &file_name,
                 const Contact::ContactSolution &contact) const;
@@ -111,8 +113,8 @@ namespace Tribody
       std::string pressure_model;
       double      outer_radius;
       /// Of the unworn bushing.
-      bool                     cells_are_alike;
-      dealii::Triangulation<2> triangulation;
+      bool                                      cells_are_alike;
+      std::unique_ptr<dealii::Triangulation<2>> triangulation;
       /// Change of the depth after which the compliance is computed anew [m].
       double                        allowed_change;
       Geometry::WornConfiguration   geometry;

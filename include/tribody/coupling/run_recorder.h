@@ -11,6 +11,7 @@
 #include <chrono>
 #include <list>
 #include <memory>
+#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,14 @@ namespace Tribody
     class RunRecorder
     {
     public:
-      /// Nothing is written before start(), and nothing at all unless
-      /// @p is_first_rank.
+      /// Nothing is written before start(), and by the first rank of
+      /// @p communicator, but for meshes that the ranks share. All of them
+      /// must call record() and record_fields() together.
       RunRecorder(const CaseParameters       &parameters,
                   const Multibody::Mechanism &mechanism,
                   Output::OutputDirectory    &directory,
                   Console                    &console,
-                  const bool                  is_first_rank);
+                  const MPI_Comm             &communicator);
 
       /// Make the output directory, open the log, write parameters.prm.
       void
@@ -60,6 +62,9 @@ namespace Tribody
     private:
       void
       open_history();
+
+      std::string
+      vtu_name() const;
 
       void
       write_fields(const RunState                  &state,
@@ -89,6 +94,7 @@ namespace Tribody
       const Multibody::Mechanism &mechanism;
       Output::OutputDirectory    &directory;
       Console                    &console;
+      MPI_Comm                    communicator;
       bool                        writes;
 
       std::unique_ptr<TableWriter> history;

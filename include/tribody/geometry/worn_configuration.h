@@ -157,7 +157,7 @@ namespace Tribody
 
       void
       check_cells(const MeshVector &displacement,
-                  const double                  max_wear_depth) const;
+                  const double      max_wear_depth) const;
 
       std::string                            name;
       dealii::FESystem<2>                    fe;
@@ -173,10 +173,10 @@ namespace Tribody
       MeshVector curvature;
       MeshVector wear;
       /// What the mapping adds to the straight-sided cells: curvature + wear.
-      MeshVector                       mesh_displacement;
+      MeshVector mesh_displacement;
       std::unique_ptr<dealii::MappingQEulerian<2, MeshVector>> worn_mapping;
-      std::vector<double>                          unworn_area_elements;
-      double                                                   lost_area = 0.;
+      std::vector<double> unworn_area_elements;
+      double              lost_area = 0.;
     };
   } // namespace Geometry
 } // namespace Tribody
