@@ -1,6 +1,10 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -15,9 +19,51 @@
 
 namespace Tribody
 {
+  namespace
+  {
+    /// In the mesh as manufactured: the rotation about the origin, by an angle
+    /// that makes it as large as the constants at the outermost node.
+    std::vector<double>
+    rotation(const dealii::DoFHandler<2> &dof_handler)
+    {
+      const auto         &fe    = dof_handler.get_fe();
+      const auto         &owned = dof_handler.locally_owned_dofs();
+      dealii::FEValues<2> fe_values(dealii::MappingQ<2>(fe.degree),
+                                    fe,
+                                    dealii::Quadrature<2>(
+                                      fe.get_unit_support_points()),
+                                    dealii::update_quadrature_points);
+      std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      std::vector<double>                          result(owned.n_elements());
+      double                                       outermost = 0.;
+      for (const auto &cell : dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        {
+          fe_values.reinit(cell);
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (owned.is_element(dofs[i]))
+              {
+                const dealii::Point<2> x = fe_values.quadrature_point(i);
+                result[owned.index_within_set(dofs[i])] =
+                  fe.system_to_component_index(i).first == 0 ? -x[1] : x[0];
+                outermost = std::max(outermost, x.norm());
+              }
+        }
+      outermost =
+        dealii::Utilities::MPI::max(outermost, dof_handler.get_communicator());
+      for (double &value : result)
+        value /= outermost;
+      return result;
+    }
+  } // namespace
+
+
+
   MultigridSolver::MultigridSolver(
     const dealii::TrilinosWrappers::SparseMatrix &matrix,
-    const dealii::DoFHandler<2, 2>               &dof_handler)
+    const dealii::DoFHandler<2, 2>               &dof_handler,
+    const SlowModes                               slow_modes)
     : matrix(matrix)
     , preconditioner(
         std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>())
@@ -25,12 +71,27 @@ namespace Tribody
     dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
     data.elliptic              = true;
     data.higher_order_elements = dof_handler.get_fe().degree > 1;
-    data.aggregation_threshold = 0.02;
     dealii::DoFTools::extract_constant_modes(
       dof_handler,
       dealii::ComponentMask(dof_handler.get_fe().n_components(), true),
       data.constant_modes);
-    preconditioner->initialize(matrix, data);
+
+    Teuchos::ParameterList              options;
+    std::unique_ptr<Epetra_MultiVector> constants;
+    data.set_parameters(options, constants, matrix);
+    // ML copies the vectors.
+    std::vector<double> modes;
+    if (slow_modes == SlowModes::rigid_motions)
+      {
+        modes = rotation(dof_handler);
+        modes.insert(modes.begin(),
+                     constants->Values(),
+                     constants->Values() +
+                       constants->NumVectors() * constants->Stride());
+        options.set("null space: dimension", constants->NumVectors() + 1);
+        options.set("null space: vectors", modes.data());
+      }
+    preconditioner->initialize(matrix, options);
   }
 
 

@@ -101,7 +101,8 @@ namespace Tribody
     {
       Assert(is_assembled, dealii::ExcNotInitialized());
       if (solver == nullptr)
-        solver = make_linear_solver(stiffness, dof_handler);
+        solver =
+          make_linear_solver(stiffness, dof_handler, SlowModes::rigid_motions);
       return *solver;
     }
 

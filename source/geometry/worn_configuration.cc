@@ -152,7 +152,9 @@ namespace Tribody
         }
       extension.compress(dealii::VectorOperation::add);
       constrained_extension.compress(dealii::VectorOperation::add);
-      solver = make_linear_solver(constrained_extension, dof_handler);
+      solver = make_linear_solver(constrained_extension,
+                                  dof_handler,
+                                  SlowModes::constants);
     }
 
 

@@ -124,7 +124,7 @@ displaced_area(const Shape       &shape,
   elasticity.reinit(configuration.mapping());
   const Eigen::Matrix2Xd w =
     make_bore_surface(configuration.worn_positions(), degree).vector_weights;
-  const dealii::Vector<double> u = elasticity.solve(1e6 * w);
+  const MeshVector u = elasticity.solve(1e6 * w);
 
   const BoreNodes &nodes = elasticity.bore_nodes();
   double           area  = 0.;

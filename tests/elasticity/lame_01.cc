@@ -85,7 +85,7 @@ struct Lame
 std::pair<double, double>
 compute_errors(const BushingElasticity      &elasticity,
                const dealii::Mapping<2>     &mapping,
-               const dealii::Vector<double> &solution,
+               const MeshVector         &solution,
                const Lame                   &exact)
 {
   const auto               &fe = elasticity.get_dof_handler().get_fe();

@@ -33,6 +33,16 @@ namespace Tribody
     solve(const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const = 0;
   };
 
+  /// Fields of a vector-valued equation that cost it little energy, which
+  /// coarse levels of a multigrid method must represent.
+  enum class SlowModes
+  {
+    /// One for each component.
+    constants,
+    /// Constants, and the rotation about the origin.
+    rigid_motions
+  };
+
   /**
    * The solver for a symmetric and positive definite @p matrix over the degrees
    * of freedom of @p dof_handler: DirectSolver if every rank holds the whole
@@ -40,7 +50,8 @@ namespace Tribody
    */
   std::unique_ptr<LinearSolver>
   make_linear_solver(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                     const dealii::DoFHandler<2, 2>               &dof_handler);
+                     const dealii::DoFHandler<2, 2>               &dof_handler,
+                     const SlowModes                               slow_modes);
 } // namespace Tribody
 
 #endif

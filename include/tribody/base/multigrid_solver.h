@@ -32,13 +32,11 @@ namespace Tribody
     /// above what rounding leaves.
     static constexpr double tolerance = 1e-12;
 
-    /**
-     * Set up the levels.
-     * @param dof_handler of the unknowns, whose components are the constant
-     *   vectors that the coarse levels represent.
-     */
+    /// Set up the levels. @param dof_handler of the unknowns, with an element
+    /// FESystem<2>(FE_Q<2>(p), 2).
     MultigridSolver(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                    const dealii::DoFHandler<2, 2>               &dof_handler);
+                    const dealii::DoFHandler<2, 2>               &dof_handler,
+                    const SlowModes                               slow_modes);
 
     ~MultigridSolver() override;
 
