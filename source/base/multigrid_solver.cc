@@ -26,9 +26,10 @@ namespace Tribody
     std::vector<double>
     rotation(const dealii::DoFHandler<2> &dof_handler)
     {
-      const auto         &fe    = dof_handler.get_fe();
-      const auto         &owned = dof_handler.locally_owned_dofs();
-      dealii::FEValues<2> fe_values(dealii::MappingQ<2>(fe.degree),
+      const auto               &fe    = dof_handler.get_fe();
+      const auto               &owned = dof_handler.locally_owned_dofs();
+      const dealii::MappingQ<2> as_manufactured(fe.degree);
+      dealii::FEValues<2>       fe_values(as_manufactured,
                                     fe,
                                     dealii::Quadrature<2>(
                                       fe.get_unit_support_points()),

@@ -83,10 +83,10 @@ struct Lame
 
 /// Relative L2 errors of displacement and stress.
 std::pair<double, double>
-compute_errors(const BushingElasticity      &elasticity,
-               const dealii::Mapping<2>     &mapping,
+compute_errors(const BushingElasticity  &elasticity,
+               const dealii::Mapping<2> &mapping,
                const MeshVector         &solution,
-               const Lame                   &exact)
+               const Lame               &exact)
 {
   const auto               &fe = elasticity.get_dof_handler().get_fe();
   const StressPostprocessor stress(elasticity.hooke());
