@@ -199,15 +199,16 @@ main(int argc, char **argv)
   ellipse.centre           = {1e-3, -0.5e-3};
   ellipse.second_semi_axis = 14e-3;
   Elasticity::RingMeshParameters ring{32, 4, 1.5};
-  for (const unsigned int degree : {1, 2, 3})
+  for (const unsigned int degree : {1, 3})
     check_compliance(output, "clamped", ring, circle, degree, clamped);
   check_compliance(output, "springs", ring, circle, 2, springs);
   check_compliance(output, "ellipse", ring, ellipse, 2, clamped);
-  ring.n_sector_refinements = 2;
-  ring.sector               = {0.3, 1.8};
-  check_compliance(output, "sector", ring, circle, 2, springs);
-  check_compliance(output, "sector in an ellipse", ring, ellipse, 2, clamped);
-  // Halved once around, not at all outwards.
+  // Three layers cannot be halved: every rank holds the mesh, not the rest.
   check_compliance(output, "odd layers", {34, 3, 1.}, circle, 2, clamped);
+  ring.sector               = {0.3, 1.8};
+  ring.n_sector_refinements = 1;
+  check_compliance(output, "sector", ring, circle, 2, springs);
+  ring.n_sector_refinements = 2;
+  check_compliance(output, "sector in an ellipse", ring, ellipse, 1, clamped);
   check_cycle(output);
 }
