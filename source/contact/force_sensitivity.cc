@@ -1,7 +1,6 @@
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include <tribody/contact/active_compliance.h>
+#include <tribody/contact/dense_products.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/contact/pin_gap.h>
 
@@ -38,12 +37,7 @@ namespace Tribody
       const Eigen::Index n      = active.size();
       if (n == 0)
         return {};
-      if (active != active_set)
-        {
-          active_set = active;
-          inverse    = Eigen::LLT<Eigen::MatrixXd>(compliance(active, active))
-                      .solve(Eigen::MatrixXd::Identity(n, n));
-        }
+      active_compliance.update(compliance, active, /*small changes = */ true);
 
       const PinGap     pin(positions, solution.pin_centre, pin_radius);
       Eigen::MatrixX2d directions(n, 2);
@@ -57,12 +51,14 @@ namespace Tribody
                        (Eigen::Matrix2d::Identity() - m * m.transpose());
         }
 
-      const Eigen::MatrixX2d y         = inverse * directions;
+      const Eigen::MatrixX2d y         = active_compliance.solve(directions);
       const Eigen::Matrix2d  stiffness = directions.transpose() * y;
       const Eigen::Matrix2d  balance =
         n == 1 ? invert_pin_stiffness(stiffness, n)
                 : Eigen::Matrix2d((stiffness + geometric).inverse());
-      return inverse - y * balance * y.transpose();
+      Eigen::MatrixXd sensitivity = active_compliance.compute_inverse();
+      add_product(-y * balance, y.transpose(), sensitivity);
+      return sensitivity;
     }
   } // namespace Contact
 } // namespace Tribody
