@@ -138,12 +138,11 @@ namespace Tribody
     options->set("Maximum Iterations", max_iterations);
     Solver     solver(problem, options);
     const bool converged = solver.solve() == Belos::Converged;
-    iterations           = solver.getNumIters();
     AssertThrow(converged,
                 ExcRun("Conjugate gradients with multigrid did not solve a "
                        "system of " +
                        std::to_string(matrix.m()) + " equations in " +
-                       std::to_string(iterations) +
+                       std::to_string(solver.getNumIters()) +
                        " iterations: is it close to singular?"));
     return solutions;
   }

@@ -129,7 +129,7 @@ namespace Tribody
                                          const RingSymmetry      symmetry,
                                          const MPI_Comm &communicator) const
     {
-      // As many as vectors fit the caches beside a share of the matrix.
+      // More would save little: what multigrid does, it does column by column.
       constexpr Eigen::Index columns_at_once = 32;
 
       Assert(is_assembled, dealii::ExcNotInitialized());

@@ -198,14 +198,18 @@ main(int argc, char **argv)
 
   const std::string name      = std::filesystem::path(argv[1]).stem();
   const std::string directory = name + ".results";
-  std::filesystem::remove_all(directory);
+  // All ranks run the case, the first one tells.
+  const bool is_first_rank =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  if (is_first_rank)
+    std::filesystem::remove_all(directory);
 
   // The program's own words carry times; they are not compared.
   std::ostringstream screen;
   std::streambuf    *to_screen = std::cout.rdbuf(screen.rdbuf());
   try
     {
-      Console                  console(true);
+      Console                  console(is_first_rank);
       Coupling::CaseParameters parameters = Coupling::read_case(argv[1], {});
       Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
       Output::OutputDirectory  output(directory);
@@ -218,6 +222,8 @@ main(int argc, char **argv)
       return 1;
     }
   std::cout.rdbuf(to_screen);
+  if (!is_first_rank)
+    return 0;
 
   const json summary = json::parse(std::ifstream(directory + "/summary.json"));
   std::cout << std::fixed << std::setprecision(1)

@@ -17,8 +17,8 @@ namespace Tribody
    * A symmetric and positive definite matrix whose rows ranks share, solved by
    * conjugate gradients (Trilinos' Belos) with algebraic multigrid (ML,
    * smoothed aggregation) as preconditioner. The columns of a block are
-   * iterated side by side, each with its own search directions, so that matrix
-   * and preconditioner are read once for all of them.
+   * iterated side by side, each with its own search directions, so that
+   * products with the matrix read it once for all of them.
    *
    * Columns are solved until the residual is @ref tolerance times the
    * right-hand side. The displacement in a column u_j of the inverse is then
@@ -28,8 +28,9 @@ namespace Tribody
   class MultigridSolver : public LinearSolver
   {
   public:
-    /// Of the residual, as a fraction of the right-hand side [-]: two digits
-    /// above what rounding leaves.
+    /// Of the residual, as a fraction of the right-hand side [-]: it leaves
+    /// two digits for what a compliance loses by the length of |u_i|, if 1e-10
+    /// is asked of it.
     static constexpr double tolerance = 1e-12;
 
     /// Set up the levels. @param dof_handler of the unknowns, with an element
@@ -45,17 +46,9 @@ namespace Tribody
     solve(
       const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const override;
 
-    /// Iterations that the last solve() took for its slowest column.
-    unsigned int
-    n_iterations() const
-    {
-      return iterations;
-    }
-
   private:
     const dealii::TrilinosWrappers::SparseMatrix              &matrix;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> preconditioner;
-    mutable unsigned int                                       iterations = 0;
   };
 } // namespace Tribody
 
