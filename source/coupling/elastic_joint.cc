@@ -1,5 +1,9 @@
+#include <deal.II/base/function.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <Eigen/Cholesky>
 
 #include <tribody/coupling/bushing_mesh.h>
 #include <tribody/coupling/elastic_joint.h>
@@ -12,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace Tribody
 {
@@ -66,6 +71,11 @@ namespace Tribody
       , surface(make_bore_surface(geometry.bore_nodes().positions,
                                   geometry.bore_nodes().degree))
     {
+      if (parameters.rim_support.is_housing())
+        ring_housing =
+          Contact::Housing{make_bore_surface(elasticity.rim_nodes().positions,
+                                             parameters.element_degree),
+                           outer_radius + parameters.rim_support.housing_gap};
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
       if (pressure_model == "infinite plate")
@@ -126,7 +136,9 @@ namespace Tribody
         {
           const Eigen::MatrixXd P =
             make_turned_interpolation(surface, pin_surface, /*angle = */ 0.);
-          joint_compliance += P.transpose() * pin_compliance * P;
+          const Eigen::Index n = surface.n_nodes();
+          joint_compliance.topLeftCorner(n, n) +=
+            P.transpose() * pin_compliance * P;
         }
       depth_at_compliance = depth;
       ++n_builds;
@@ -143,6 +155,10 @@ namespace Tribody
         return Elasticity::winkler_compliance(surface,
                                               elasticity.hooke(),
                                               outer_radius);
+      if (ring_housing)
+        return elasticity.normal_compliance(surface.normals,
+                                            ring_housing->rim.normals,
+                                            communicator);
       return elasticity.normal_compliance(
         surface.normals,
         cells_are_alike && depth.isZero(0.)
@@ -153,14 +169,47 @@ namespace Tribody
 
 
 
+    Eigen::MatrixXd
+    ElasticJoint::stiffest_compliance() const
+    {
+      if (!ring_housing)
+        return joint_compliance;
+      const Eigen::Index    n     = surface.n_nodes();
+      const Eigen::Index    n_rim = ring_housing->rim.n_nodes();
+      const Eigen::MatrixXd C_rb  = joint_compliance.bottomLeftCorner(n_rim, n);
+      const Eigen::MatrixXd Z =
+        Eigen::LLT<Eigen::MatrixXd>(
+          joint_compliance.bottomRightCorner(n_rim, n_rim))
+          .matrixL()
+          .solve(C_rb);
+      return joint_compliance.topLeftCorner(n, n) - Z.transpose() * Z;
+    }
+
+
+
     void
     ElasticJoint::write_vtu(const std::string              &file_name,
                             const Contact::ContactSolution &contact) const
     {
       const Eigen::Matrix2Xd nodal_forces =
         surface.normals * contact.nodal_force.asDiagonal();
-      const dealii::Vector<double> displacement =
-        elasticity.solve(nodal_forces);
+      Eigen::Matrix2Xd rim_forces(2, 0);
+      if (ring_housing)
+        rim_forces =
+          -ring_housing->rim.normals * contact.rim.nodal_force.asDiagonal();
+      dealii::Vector<double> displacement =
+        elasticity.solve(nodal_forces, rim_forces);
+      if (ring_housing)
+        {
+          const Eigen::Vector2d &place = contact.rim.ring_place;
+          dealii::Vector<double> translation(displacement.size());
+          dealii::VectorTools::interpolate(
+            elasticity.get_dof_handler(),
+            dealii::Functions::ConstantFunction<2>(
+              std::vector<double>{place[0], place[1]}),
+            translation);
+          displacement += translation;
+        }
       const Elasticity::StressPostprocessor stresses(elasticity.hooke());
 
       Output::write_bushing_vtu(file_name,
@@ -171,7 +220,9 @@ namespace Tribody
                                  displacement,
                                  geometry.wear_displacement(),
                                  contact.pressure,
-                                 depth});
+                                 depth,
+                                 elasticity.rim_nodes(),
+                                 contact.rim.pressure});
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -19,18 +19,19 @@ namespace Tribody
   {
     namespace
     {
-      /// @p stiffness with the normal and the tangential displacement of each
-      /// bore node in the places of x and y.
+      /// @p stiffness with the displacement along the given direction and
+      /// across it in the places of x and y of each node.
       Eigen::SparseMatrix<double>
       turn_to_normals(const dealii::TrilinosWrappers::SparseMatrix &stiffness,
-                      const BoreNodes                              &nodes,
+                      const std::vector<int>                       &x_dofs,
+                      const std::vector<int>                       &y_dofs,
                       const Eigen::Matrix2Xd                       &normals)
       {
         std::vector<Eigen::Triplet<double>> entries;
         std::vector<bool>                   turned(stiffness.m(), false);
-        for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+        for (Eigen::Index i = 0; i < normals.cols(); ++i)
           {
-            const int x = nodes.x_dofs[i], y = nodes.y_dofs[i];
+            const int x = x_dofs[i], y = y_dofs[i];
             entries.emplace_back(x, x, normals(0, i));
             entries.emplace_back(y, x, normals(1, i));
             entries.emplace_back(x, y, -normals(1, i));
@@ -64,6 +65,8 @@ namespace Tribody
     {
       dof_handler.distribute_dofs(fe);
       nodes = make_bore_nodes(dof_handler);
+      if (support.is_housing())
+        rim = make_bore_nodes(dof_handler, BoundaryIds::rim);
 
       dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       if (support.is_clamped())
@@ -94,7 +97,9 @@ namespace Tribody
     {
       solver.reset();
       assemble_stiffness(mapping, dof_handler, constraints, law, stiffness);
-      if (!support.is_clamped())
+      if (support.is_housing())
+        assemble_keys(rim, law.mu, stiffness);
+      else if (!support.is_clamped())
         assemble_foundation(
           mapping, dof_handler, constraints, support, stiffness);
       is_assembled = true;
@@ -126,8 +131,31 @@ namespace Tribody
 
       // The normal displacement of a bore node takes the place of x. Hanging
       // nodes are never bore nodes.
-      const CholeskyFactor factor(turn_to_normals(stiffness, nodes, normals),
-                                  {nodes.x_dofs.begin(), nodes.x_dofs.end()});
+      const std::vector<int> x_dofs(nodes.x_dofs.begin(), nodes.x_dofs.end());
+      const std::vector<int> y_dofs(nodes.y_dofs.begin(), nodes.y_dofs.end());
+      const CholeskyFactor   factor(
+        turn_to_normals(stiffness, x_dofs, y_dofs, normals), x_dofs);
+      return factor.compute_inverse_block(communicator);
+    }
+
+
+
+    Eigen::MatrixXd
+    BushingElasticity::normal_compliance(const Eigen::Matrix2Xd &bore_normals,
+                                         const Eigen::Matrix2Xd &rim_normals,
+                                         const MPI_Comm &communicator) const
+    {
+      Assert(is_assembled, dealii::ExcNotInitialized());
+      AssertDimension(bore_normals.cols(), nodes.n_nodes());
+      AssertDimension(rim_normals.cols(), rim.n_nodes());
+      std::vector<int> x_dofs(nodes.x_dofs.begin(), nodes.x_dofs.end());
+      std::vector<int> y_dofs(nodes.y_dofs.begin(), nodes.y_dofs.end());
+      x_dofs.insert(x_dofs.end(), rim.x_dofs.begin(), rim.x_dofs.end());
+      y_dofs.insert(y_dofs.end(), rim.y_dofs.begin(), rim.y_dofs.end());
+      Eigen::Matrix2Xd directions(2, x_dofs.size());
+      directions << bore_normals, -rim_normals;
+      const CholeskyFactor factor(
+        turn_to_normals(stiffness, x_dofs, y_dofs, directions), x_dofs);
       return factor.compute_inverse_block(communicator);
     }
 
@@ -156,7 +184,8 @@ namespace Tribody
 
 
     dealii::Vector<double>
-    BushingElasticity::solve(const Eigen::Matrix2Xd &nodal_forces) const
+    BushingElasticity::solve(const Eigen::Matrix2Xd &nodal_forces,
+                             const Eigen::Matrix2Xd &rim_forces) const
     {
       AssertDimension(nodal_forces.cols(), nodes.n_nodes());
       dealii::Vector<double> forces(dof_handler.n_dofs());
@@ -164,6 +193,11 @@ namespace Tribody
         {
           forces[nodes.x_dofs[i]] = nodal_forces(0, i);
           forces[nodes.y_dofs[i]] = nodal_forces(1, i);
+        }
+      for (Eigen::Index k = 0; k < rim_forces.cols(); ++k)
+        {
+          forces[rim.x_dofs[k]] = rim_forces(0, k);
+          forces[rim.y_dofs[k]] = rim_forces(1, k);
         }
       dealii::Vector<double> displacement = direct_solver().solve(forces);
       constraints.distribute(displacement);

@@ -28,6 +28,8 @@ namespace Tribody
             values[fields.bore_nodes.x_dofs[i]] = fields.contact_pressure[i];
             values[fields.bore_nodes.y_dofs[i]] = fields.wear_depth[i];
           }
+        for (Eigen::Index k = 0; k < fields.rim_pressure.size(); ++k)
+          values[fields.rim_nodes.x_dofs[k]] = fields.rim_pressure[k];
         return values;
       }
     } // namespace

@@ -35,7 +35,8 @@ namespace Tribody
      * @f[ \int_\Omega \sigma(u) : \varepsilon(v)\,dx
      *     + \int_{rim} v \cdot (k_n\,n n^T + k_t\,t t^T)\,u\,ds
      *     = \sum_i f_i \cdot v(x_i) \quad \forall v, @f]
-     * or with u = 0 at a clamped rim, per length along the axis. The domain is
+     * or with u = 0 at a clamped rim, or free but for keys and nodal forces at
+     * the rim if it lies in a housing, per length along the axis. The domain is
      * the image of the mesh under a mapping, so that a worn bushing needs no
      * other mesh. Displacements are small.
      *
@@ -81,10 +82,23 @@ namespace Tribody
                         const RingSymmetry      symmetry = RingSymmetry::none,
                         const MPI_Comm &communicator     = MPI_COMM_SELF) const;
 
-      /// Displacement [m] under forces at the bore nodes [N/m], one column
-      /// each.
+      /**
+       * The same of a ring in a housing at all nodes where it can be touched:
+       * those of the bore, whose forces and displacements are counted along the
+       * normals, followed by those of the rim, where they are counted against
+       * the normals. Right for forces in equilibrium, up to a motion of a rigid
+       * body.
+       */
+      Eigen::MatrixXd
+      normal_compliance(const Eigen::Matrix2Xd &bore_normals,
+                        const Eigen::Matrix2Xd &rim_normals,
+                        const MPI_Comm         &communicator) const;
+
+      /// Displacement [m] under forces at the nodes of bore and rim [N/m], one
+      /// column each. @param rim_forces of a ring in a housing, or nothing.
       dealii::Vector<double>
-      solve(const Eigen::Matrix2Xd &nodal_forces) const;
+      solve(const Eigen::Matrix2Xd &nodal_forces,
+            const Eigen::Matrix2Xd &rim_forces = {}) const;
 
       const dealii::DoFHandler<2, 2> &
       get_dof_handler() const
@@ -96,6 +110,13 @@ namespace Tribody
       bore_nodes() const
       {
         return nodes;
+      }
+
+      /// Without nodes unless the ring lies in a housing.
+      const BoreNodes &
+      rim_nodes() const
+      {
+        return rim;
       }
 
       /// The stiffness [Pa], with the rows and columns of a clamped rim
@@ -127,6 +148,7 @@ namespace Tribody
       dealii::DoFHandler<2, 2>               dof_handler;
       dealii::AffineConstraints<double>      constraints;
       BoreNodes                              nodes;
+      BoreNodes                              rim;
       dealii::TrilinosWrappers::SparseMatrix stiffness;
       bool                                   is_assembled = false;
       mutable std::unique_ptr<DirectSolver>  solver;
