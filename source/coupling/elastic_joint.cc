@@ -1,7 +1,5 @@
-#include <deal.II/base/function.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/vector.h>
-#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <Eigen/Cholesky>
 
@@ -16,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace Tribody
 {
@@ -73,8 +70,7 @@ namespace Tribody
     {
       if (parameters.rim_support.is_housing())
         ring_housing =
-          Contact::Housing{make_bore_surface(elasticity.rim_nodes().positions,
-                                             parameters.element_degree),
+          Contact::Housing{elasticity.rim_surface(),
                            outer_radius + parameters.rim_support.housing_gap};
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
@@ -156,9 +152,8 @@ namespace Tribody
                                               elasticity.hooke(),
                                               outer_radius);
       if (ring_housing)
-        return elasticity.normal_compliance(surface.normals,
-                                            ring_housing->rim.normals,
-                                            communicator);
+        return elasticity.bore_and_rim_compliance(surface.normals,
+                                                  communicator);
       return elasticity.normal_compliance(
         surface.normals,
         cells_are_alike && depth.isZero(0.)
@@ -200,16 +195,7 @@ namespace Tribody
       dealii::Vector<double> displacement =
         elasticity.solve(nodal_forces, rim_forces);
       if (ring_housing)
-        {
-          const Eigen::Vector2d &place = contact.rim.ring_place;
-          dealii::Vector<double> translation(displacement.size());
-          dealii::VectorTools::interpolate(
-            elasticity.get_dof_handler(),
-            dealii::Functions::ConstantFunction<2>(
-              std::vector<double>{place[0], place[1]}),
-            translation);
-          displacement += translation;
-        }
+        elasticity.move_rigidly(displacement, contact.rim.ring_place);
       const Elasticity::StressPostprocessor stresses(elasticity.hooke());
 
       Output::write_bushing_vtu(file_name,

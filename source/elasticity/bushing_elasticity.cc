@@ -1,8 +1,12 @@
+#include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <Eigen/LU>
 
 #include <tribody/base/cholesky_factor.h>
 #include <tribody/base/direct_solver.h>
@@ -66,7 +70,10 @@ namespace Tribody
       dof_handler.distribute_dofs(fe);
       nodes = make_bore_nodes(dof_handler);
       if (support.is_housing())
-        rim = make_bore_nodes(dof_handler, BoundaryIds::rim);
+        {
+          rim       = make_bore_nodes(dof_handler, BoundaryIds::rim);
+          rim_curve = make_bore_surface(rim.positions, degree);
+        }
 
       dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       if (support.is_clamped())
@@ -141,22 +148,43 @@ namespace Tribody
 
 
     Eigen::MatrixXd
-    BushingElasticity::normal_compliance(const Eigen::Matrix2Xd &bore_normals,
-                                         const Eigen::Matrix2Xd &rim_normals,
-                                         const MPI_Comm &communicator) const
+    BushingElasticity::bore_and_rim_compliance(
+      const Eigen::Matrix2Xd &bore_normals,
+      const MPI_Comm         &communicator) const
     {
       Assert(is_assembled, dealii::ExcNotInitialized());
       AssertDimension(bore_normals.cols(), nodes.n_nodes());
-      AssertDimension(rim_normals.cols(), rim.n_nodes());
       std::vector<int> x_dofs(nodes.x_dofs.begin(), nodes.x_dofs.end());
       std::vector<int> y_dofs(nodes.y_dofs.begin(), nodes.y_dofs.end());
       x_dofs.insert(x_dofs.end(), rim.x_dofs.begin(), rim.x_dofs.end());
       y_dofs.insert(y_dofs.end(), rim.y_dofs.begin(), rim.y_dofs.end());
       Eigen::Matrix2Xd directions(2, x_dofs.size());
-      directions << bore_normals, -rim_normals;
+      directions << bore_normals, -rim_curve.normals;
       const CholeskyFactor factor(
         turn_to_normals(stiffness, x_dofs, y_dofs, directions), x_dofs);
-      return factor.compute_inverse_block(communicator);
+      Eigen::MatrixXd compliance = factor.compute_inverse_block(communicator);
+
+      // (I - T Z^T) C (I - Z T^T) + T T^T / mu, T being the displacements of a
+      // rigid body and Z what finds it from the rim's displacements.
+      const Eigen::MatrixX2d T = directions.transpose();
+      const Eigen::MatrixX2d V =
+        -compliance.rightCols(rim.n_nodes()) * rim_averages();
+      const Eigen::Matrix2d K =
+        -rim_averages().transpose() * V.bottomRows(rim.n_nodes());
+      const Eigen::MatrixX2d W =
+        V - 0.5 * T * (K + Eigen::Matrix2d::Identity() / law.mu);
+      compliance -= T * W.transpose() + W * T.transpose();
+      return compliance;
+    }
+
+
+
+    Eigen::MatrixX2d
+    BushingElasticity::rim_averages() const
+    {
+      const Eigen::MatrixX2d weighted =
+        rim_curve.weights.asDiagonal() * rim_curve.normals.transpose();
+      return weighted * (rim_curve.normals * weighted).inverse();
     }
 
 
@@ -183,6 +211,34 @@ namespace Tribody
 
 
 
+    Eigen::Vector2d
+    BushingElasticity::mean_rim_displacement(
+      const dealii::Vector<double> &displacement) const
+    {
+      Eigen::VectorXd along_normals(rim.n_nodes());
+      for (Eigen::Index k = 0; k < rim.n_nodes(); ++k)
+        along_normals[k] =
+          rim_curve.normals(0, k) * displacement[rim.x_dofs[k]] +
+          rim_curve.normals(1, k) * displacement[rim.y_dofs[k]];
+      return rim_averages().transpose() * along_normals;
+    }
+
+
+
+    void
+    BushingElasticity::move_rigidly(dealii::Vector<double> &displacement,
+                                    const Eigen::Vector2d  &step) const
+    {
+      dealii::Vector<double> translation(displacement.size());
+      dealii::VectorTools::interpolate(dof_handler,
+                                       dealii::Functions::ConstantFunction<2>(
+                                         std::vector<double>{step[0], step[1]}),
+                                       translation);
+      displacement += translation;
+    }
+
+
+
     dealii::Vector<double>
     BushingElasticity::solve(const Eigen::Matrix2Xd &nodal_forces,
                              const Eigen::Matrix2Xd &rim_forces) const
@@ -201,6 +257,8 @@ namespace Tribody
         }
       dealii::Vector<double> displacement = direct_solver().solve(forces);
       constraints.distribute(displacement);
+      if (support.is_housing())
+        move_rigidly(displacement, -mean_rim_displacement(displacement));
       return displacement;
     }
   } // namespace Elasticity

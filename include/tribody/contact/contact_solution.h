@@ -30,8 +30,8 @@ namespace Tribody
       Eigen::VectorXd pressure;
       /// What is left open between deformed ring and housing [m].
       Eigen::VectorXd gap;
-      /// By how much the ring is displaced in the housing, apart from its
-      /// deformation [m].
+      /// By how much the ring is displaced in the housing [m]: the circle that
+      /// fits its rim best, as far as the compliance is seen from there.
       Eigen::Vector2d ring_place = Eigen::Vector2d::Zero();
       /// Force of the ring on the housing per axial length [N/m].
       Eigen::Vector2d force = Eigen::Vector2d::Zero();

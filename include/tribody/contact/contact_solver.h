@@ -50,7 +50,7 @@ namespace Tribody
      *
      * With a free ring in a Housing, the nodes of its rim are further ones, and
      * the ring's place is found with that of the pin, under a given force only.
-     * The pin's centre is then that relative to the ring's.
+     * The pin's centre is then that relative to the ring's place.
      *
      * The object keeps the last inverse: use one per thread. Results depend on
      * what was solved before by less than the tolerance.

@@ -12,6 +12,7 @@
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/surface_compliance.h>
 #include <tribody/surface/bore_nodes.h>
+#include <tribody/surface/bore_surface.h>
 
 #include <memory>
 
@@ -86,19 +87,29 @@ namespace Tribody
        * The same of a ring in a housing at all nodes where it can be touched:
        * those of the bore, whose forces and displacements are counted along the
        * normals, followed by those of the rim, where they are counted against
-       * the normals. Right for forces in equilibrium, up to a motion of a rigid
-       * body.
+       * the normals. Displacements are seen from the circle that fits the
+       * deformed rim best,
+       * @f[ \sum_k w_k \nu_k\,(\nu_k \cdot u_k) = 0 @f]
+       * over its nodes with weights w and normals @f$\nu@f$. What forces lack
+       * to equilibrium is distributed over the rim like @f$ w_k \nu_k @f$, and
+       * displaces the ring besides by its sum over the shear modulus, so that
+       * the matrix is positive definite.
        */
       Eigen::MatrixXd
-      normal_compliance(const Eigen::Matrix2Xd &bore_normals,
-                        const Eigen::Matrix2Xd &rim_normals,
-                        const MPI_Comm         &communicator) const;
+      bore_and_rim_compliance(const Eigen::Matrix2Xd &bore_normals,
+                              const MPI_Comm         &communicator) const;
 
       /// Displacement [m] under forces at the nodes of bore and rim [N/m], one
-      /// column each. @param rim_forces of a ring in a housing, or nothing.
+      /// column each. @param rim_forces of a ring in a housing, or nothing; the
+      /// displacement is then seen as in bore_and_rim_compliance().
       dealii::Vector<double>
       solve(const Eigen::Matrix2Xd &nodal_forces,
             const Eigen::Matrix2Xd &rim_forces = {}) const;
+
+      /// Add a displacement of the whole bushing by @p step [m].
+      void
+      move_rigidly(dealii::Vector<double> &displacement,
+                   const Eigen::Vector2d  &step) const;
 
       const dealii::DoFHandler<2, 2> &
       get_dof_handler() const
@@ -112,11 +123,18 @@ namespace Tribody
         return nodes;
       }
 
-      /// Without nodes unless the ring lies in a housing.
+      /// Without nodes unless the ring lies in a housing; likewise the curve
+      /// through them, whose normals point out of the ring.
       const BoreNodes &
       rim_nodes() const
       {
         return rim;
+      }
+
+      const BoreSurface &
+      rim_surface() const
+      {
+        return rim_curve;
       }
 
       /// The stiffness [Pa], with the rows and columns of a clamped rim
@@ -138,6 +156,14 @@ namespace Tribody
       const DirectSolver &
       direct_solver() const;
 
+      Eigen::Vector2d
+      mean_rim_displacement(const dealii::Vector<double> &displacement) const;
+
+      /// @f$ w_k \nu_k @f$, one row each, so that the sum with @f$\nu_k@f$ is
+      /// the unit matrix.
+      Eigen::MatrixX2d
+      rim_averages() const;
+
       Eigen::MatrixXd
       first_columns(const Eigen::Matrix2Xd &normals,
                     const Eigen::Index      n_columns) const;
@@ -149,6 +175,7 @@ namespace Tribody
       dealii::AffineConstraints<double>      constraints;
       BoreNodes                              nodes;
       BoreNodes                              rim;
+      BoreSurface                            rim_curve;
       dealii::TrilinosWrappers::SparseMatrix stiffness;
       bool                                   is_assembled = false;
       mutable std::unique_ptr<DirectSolver>  solver;
