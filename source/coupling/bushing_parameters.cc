@@ -244,11 +244,12 @@ namespace Tribody
       if (!rim_support.is_housing())
         return;
       const std::string parameter = "Bushing " + name + "/Outer support";
-      AssertThrow(!mesh_file.is_given() && rim_shape.is_concentric_circle(),
-                  ExcParameter(parameter,
-                               "'housing' needs a rim that is a circle around "
-                               "the bore, without 'Rim centre', 'Rim shape' "
-                               "or a mesh file"));
+      AssertThrow(
+        !mesh_file.is_given() && rim_shape.is_concentric_circle(),
+        ExcParameter(parameter,
+                     "'housing' needs a rim that is a circle around "
+                     "the bore, without 'Outer centre', 'Outer shape' "
+                     "or a mesh file"));
       AssertThrow(pressure_model == "finite element",
                   ExcParameter(parameter,
                                "'housing' needs 'Pressure model = finite "

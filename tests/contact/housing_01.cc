@@ -17,10 +17,13 @@
 //   two linear equations; in between the rim does not touch until p u_b = g.
 //   The mesh's own error is below 1e-4.
 // - Hertz: a thick ring with a small bore in a housing of 1.2 times its radius,
-//   1/R* = 1/R_o - 1/R_h, a^2 = 4 F R*/(pi E*), p_0 = 2 F/(pi a) per length. He
-//   neglects some (a/R_o)^2 = 1 % if a = R_o/10, and four times as much if a is
-//   twice as wide. The nodes are 0.13 a apart.
-// - A round ring looks the same from all sides, however it is kept from turning:
+//   1/R* = 1/R_o - 1/R_h, a^2 = 4 F R*/(pi E*), p_0 = 2 F/(pi a) per length.
+//   What he neglects is of the order a/R_o, but (a/R_o)^2 in a nearly
+//   incompressible ring, as points beside a pressure then do not move along the
+//   surface (1 - 2 nu). Allowed is 1 % for a = R_o/10; the nodes are 0.13 a
+//   apart.
+// - A round ring looks the same from all sides, however it is kept from
+// turning:
 //   pin and ring are displaced along the force, to a node distance.
 
 #include <deal.II/base/mpi.h>
@@ -44,12 +47,15 @@ using namespace Tribody::Elasticity;
 using Contact::ContactSolution;
 
 constexpr unsigned int degree = 2;
-const Material         material{"plastic", 1e9, 0.3, 1000.};
-const PlaneHooke       law(material, PlaneState::strain);
+const Material         plastic{"plastic", 1e9, 0.3, 1000.};
+const PlaneHooke       law(plastic, PlaneState::strain);
 
 struct Ring
 {
-  Ring(const RingMeshParameters &mesh, const double a, const double b)
+  Ring(const RingMeshParameters &mesh,
+       const double              a,
+       const double              b,
+       const Material           &material = plastic)
     : outer_radius(b)
   {
     make_ring_mesh(mesh, a, b, triangulation);
@@ -105,10 +111,10 @@ uncondensed_error(const Ring            &ring,
 {
   BushingElasticity elasticity(ring.triangulation,
                                degree,
-                               material,
+                               plastic,
                                PlaneState::strain,
                                {"elastic foundation",
-                                1e-8 * material.youngs_modulus /
+                                1e-8 * plastic.youngs_modulus /
                                   ring.outer_radius,
                                 0.});
   elasticity.reinit(dealii::MappingQ<2>(degree));
@@ -168,7 +174,7 @@ check_equilibrium()
     for (const double load : {1e-2, 1., 100.})
       {
         const Eigen::Vector2d force =
-          load * material.youngs_modulus * clearance *
+          load * plastic.youngs_modulus * clearance *
           Eigen::Vector2d(std::cos(0.4), std::sin(0.4));
         auto       solver   = ring.make_solver(a - clearance, gap);
         const auto solution = solver.solve_force_controlled(force);
@@ -181,33 +187,28 @@ check_equilibrium()
           return (x - y).lpNorm<Eigen::Infinity>() /
                  x.lpNorm<Eigen::Infinity>();
         };
-        const Contact::RimContact &rim = solution.rim;
-        std::cout << "gap " << gap / clearance << " clearances, load " << load
-                  << ": converged " << solution.report.converged
-                  << programme.report.converged << ", balanced "
-                  << ((solution.force - force).norm() < 1e-10 * force.norm())
-                  << ((rim.force - force).norm() < 1e-10 * force.norm())
-                  << ", no tension " << (solution.nodal_force.minCoeff() >= 0.)
-                  << (rim.nodal_force.minCoeff() >= 0.) << ", uncondensed "
-                  << (uncondensed_error(ring, solution, a - clearance, gap) <
-                      1e-4)
-                  << ", fall-back "
-                  << (std::max(differs(solution.pressure, programme.pressure),
-                               differs(rim.pressure, programme.rim.pressure)) <
-                      1e-6)
-                  << ", nodes at bore " << solution.active_set.size()
-                  << " and rim " << rim.active_set.size() << std::endl;
-        std::cerr << solution.report.n_iterations << ' '
-                  << programme.report.n_iterations << ' '
-                  << uncondensed_error(ring, solution, a - clearance, gap)
-                  << ' ' << differs(solution.pressure, programme.pressure)
-                  << ' ' << differs(rim.pressure, programme.rim.pressure) << ' '
-                  << solution.half_angle * 180 / M_PI << ' '
-                  << Contact::contact_half_angle(rim_as_contact(solution),
-                                                 ring.rim) *
-                       180 / M_PI
-                  << ' ' << rim.ring_place.transpose() / clearance << ' '
-                  << solution.pin_centre.transpose() / clearance << std::endl;
+        const Contact::RimContact &rim    = solution.rim;
+        const auto                 across = [&force](const Eigen::Vector2d &x) {
+          return std::abs(x[0] * force[1] - x[1] * force[0]) / force.norm();
+        };
+        std::cout
+          << "gap " << gap / clearance << " clearances, load " << load
+          << ": converged " << solution.report.converged
+          << programme.report.converged << ", balanced "
+          << ((solution.force - force).norm() < 1e-10 * force.norm())
+          << ((rim.force - force).norm() < 1e-10 * force.norm())
+          << ", no tension " << (solution.nodal_force.minCoeff() >= 0.)
+          << (rim.nodal_force.minCoeff() >= 0.) << ", uncondensed "
+          << (uncondensed_error(ring, solution, a - clearance, gap) < 1e-4)
+          << ", along the force "
+          << (std::max(across(rim.ring_place), across(solution.pin_centre)) <
+              2. * M_PI / 96. *
+                (solution.pin_centre.norm() + rim.ring_place.norm()))
+          << ", fall-back "
+          << (std::max(differs(solution.pressure, programme.pressure),
+                       differs(rim.pressure, programme.rim.pressure)) < 1e-6)
+          << ", nodes at bore " << solution.active_set.size() << " and rim "
+          << rim.active_set.size() << std::endl;
       }
 }
 
@@ -242,10 +243,10 @@ check_lame()
             lame(a, b, b, 1., 0.), lame(a, b, b, 0., 1.);
           pressures = yielding.inverse() * Eigen::Vector2d(interference, gap);
         }
-      auto       solver   = ring.make_solver(a + interference, gap);
-      const auto solution = solver.solve_force_controlled({0., 0.});
-      const Eigen::VectorXd &w     = ring.bore.weights;
-      const Eigen::VectorXd &w_rim = ring.rim.weights;
+      auto                   solver   = ring.make_solver(a + interference, gap);
+      const auto             solution = solver.solve_force_controlled({0., 0.});
+      const Eigen::VectorXd &w        = ring.bore.weights;
+      const Eigen::VectorXd &w_rim    = ring.rim.weights;
       const double           bore =
         solution.pressure.dot(w) / w.sum() / pressures[0] - 1.;
       const double rim =
@@ -258,51 +259,33 @@ check_lame()
                 << " of the free ring's at the bore, right within 0.01 % "
                 << (std::abs(bore) < 1e-4) << (std::abs(rim) < 1e-4)
                 << std::endl;
-      std::cerr << bore << ' ' << rim << std::endl;
     }
-}
-
-/// Relative errors of peak pressure and half-width, mean over eight directions,
-/// under the load that has Hertz' half-width @p part of the radius.
-Eigen::Vector2d
-hertz_errors(const unsigned int n_cells, const double part)
-{
-  constexpr double b = 16e-3, housing = 1.2 * b, a = 0.1 * b;
-  const Ring       ring({n_cells, n_cells / 8, 0.}, a, b);
-  const double     E      = material.youngs_modulus / (1. - 0.3 * 0.3);
-  const double     R      = 1. / (1. / b - 1. / housing);
-  const double     width  = part * b;
-  const double     load   = width * width * M_PI * E / (4. * R);
-  const double     p0     = 2. * load / (M_PI * width);
-  auto             solver = ring.make_solver(a * (1. - 1e-4), housing - b);
-  Eigen::Vector2d  errors = Eigen::Vector2d::Zero();
-  for (unsigned int k = 0; k < 8; ++k)
-    {
-      const double          direction = 0.7 + 2. * M_PI / n_cells * k / 8.;
-      const ContactSolution rim = rim_as_contact(solver.solve_force_controlled(
-        load * Eigen::Vector2d(std::cos(direction), std::sin(direction))));
-      // The angle is seen from the housing's centre.
-      errors +=
-        Eigen::Vector2d(Contact::peak_pressure(rim, ring.rim) / p0 - 1.,
-                        Contact::contact_half_angle(rim, ring.rim) * housing /
-                            width -
-                          1.) /
-        8.;
-    }
-  return errors;
 }
 
 void
 check_hertz()
 {
-  const Eigen::Vector2d wide = hertz_errors(120, 0.2);
-  const Eigen::Vector2d half = hertz_errors(240, 0.1);
-  std::cout << "ring in a wide housing: within 1.3 % of Hertz "
-            << (half.lpNorm<Eigen::Infinity>() < 0.013)
-            << ", errors of a wide contact over these, 4 within 0.4: "
-            << ((wide.cwiseQuotient(half).array() - 4.).abs().maxCoeff() < 0.4)
-            << std::endl;
-  std::cerr << wide.transpose() << ' ' << half.transpose() << std::endl;
+  constexpr double b = 16e-3, housing = 1.2 * b, a = 0.1 * b, width = 0.1 * b;
+  const Material   rubber{"rubber", 1e9, 0.49, 1000.};
+  const Ring       ring({240, 30, 0.}, a, b, rubber);
+  const double     E      = 1e9 / (1. - 0.49 * 0.49);
+  const double     R      = 1. / (1. / b - 1. / housing);
+  const double     load   = width * width * M_PI * E / (4. * R);
+  const double     p0     = 2. * load / (M_PI * width);
+  auto             solver = ring.make_solver(a * (1. - 1e-4), housing - b);
+  double           peak = 0., angle = 0.;
+  for (unsigned int k = 0; k < 8; ++k)
+    {
+      const double          direction = 0.7 + 2. * M_PI / 240. * k / 8.;
+      const ContactSolution rim = rim_as_contact(solver.solve_force_controlled(
+        load * Eigen::Vector2d(std::cos(direction), std::sin(direction))));
+      peak += Contact::peak_pressure(rim, ring.rim) / 8.;
+      // Seen from the housing's centre.
+      angle += Contact::contact_half_angle(rim, ring.rim) / 8.;
+    }
+  std::cout << "ring in a wide housing: peak within 1 % of Hertz' "
+            << (std::abs(peak / p0 - 1.) < 0.01) << ", half-width "
+            << (std::abs(angle * housing / width - 1.) < 0.01) << std::endl;
 }
 
 int
