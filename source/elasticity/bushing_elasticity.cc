@@ -164,15 +164,17 @@ namespace Tribody
         turn_to_normals(stiffness, x_dofs, y_dofs, directions), x_dofs);
       Eigen::MatrixXd compliance = factor.compute_inverse_block(communicator);
 
-      // (I - T Z^T) C (I - Z T^T) + T T^T / mu, T being the displacements of a
-      // rigid body and Z what finds it from the rim's displacements.
-      const Eigen::MatrixX2d T = directions.transpose();
+      // (I - T Z^T) C (I - Z T^T) + little T T^T / mu, T being the
+      // displacements of a rigid body and Z what finds it from the rim's
+      // displacements.
+      constexpr double       little = 1e-3;
+      const Eigen::MatrixX2d T      = directions.transpose();
       const Eigen::MatrixX2d V =
         -compliance.rightCols(rim.n_nodes()) * rim_averages();
       const Eigen::Matrix2d K =
         -rim_averages().transpose() * V.bottomRows(rim.n_nodes());
       const Eigen::MatrixX2d W =
-        V - 0.5 * T * (K + Eigen::Matrix2d::Identity() / law.mu);
+        V - 0.5 * T * (K + Eigen::Matrix2d::Identity() * (little / law.mu));
       compliance -= T * W.transpose() + W * T.transpose();
       return compliance;
     }

@@ -92,8 +92,8 @@ namespace Tribody
        * @f[ \sum_k w_k \nu_k\,(\nu_k \cdot u_k) = 0 @f]
        * over its nodes with weights w and normals @f$\nu@f$. What forces lack
        * to equilibrium is distributed over the rim like @f$ w_k \nu_k @f$, and
-       * displaces the ring besides by its sum over the shear modulus, so that
-       * the matrix is positive definite.
+       * displaces the ring besides by a thousandth of its sum over the shear
+       * modulus, so that the matrix is positive definite.
        */
       Eigen::MatrixXd
       bore_and_rim_compliance(const Eigen::Matrix2Xd &bore_normals,
