@@ -1,5 +1,7 @@
 #include <deal.II/base/mpi.h>
 
+#include <Eigen/Core>
+
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
@@ -14,7 +16,8 @@ main(int argc, char **argv)
 
   // One thread per rank: results do not depend on the number of threads.
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool                                     is_first_rank =
+  Eigen::setNbThreads(1);
+  const bool is_first_rank =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
   try

@@ -205,6 +205,19 @@ namespace Tribody
 
 
 
+    Eigen::MatrixXd
+    ActiveCompliance::compute_inverse()
+    {
+      if (!has_inverse)
+        invert();
+      std::vector<Eigen::Index> places;
+      for (const Eigen::Index node : active_set)
+        places.push_back(place[node]);
+      return inverse(places, places);
+    }
+
+
+
     Eigen::Matrix2d
     invert_pin_stiffness(const Eigen::Matrix2d &stiffness,
                          const Eigen::Index     n_active)

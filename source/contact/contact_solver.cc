@@ -36,19 +36,13 @@ namespace Tribody
         Eigen::Index length;
       };
 
-      /// The nodes that are chosen, as few arcs as they make.
-      std::vector<Arc>
-      find_arcs(const std::vector<bool> &chosen)
+      /// Add a node behind those that were added before.
+      void
+      append(const Eigen::Index i, std::vector<Arc> &arcs)
       {
-        std::vector<Arc> arcs;
-        for (std::size_t i = 0; i < chosen.size(); ++i)
-          if (chosen[i])
-            {
-              if (i == 0 || !chosen[i - 1])
-                arcs.push_back({static_cast<Eigen::Index>(i), 0});
-              ++arcs.back().length;
-            }
-        return arcs;
+        if (arcs.empty() || arcs.back().begin + arcs.back().length != i)
+          arcs.push_back({i, 0});
+        ++arcs.back().length;
       }
 
       /// Those below @p n_bore, and the others less @p n_bore.
@@ -291,19 +285,25 @@ namespace Tribody
       iterate.pin = rigid_gap(iterate);
       // Near is where the pin overlaps the undeformed bore, and a little more.
       // A free ring bends, and may touch elsewhere.
-      const double      limit = (rows == Rows::all || housing)
-                                  ? std::numeric_limits<double>::max()
-                                  : -0.1 * iterate.pin.gap.minCoeff();
-      std::vector<bool> is_active(n_nodes(), false);
+      const double     limit = (rows == Rows::all || housing)
+                                 ? std::numeric_limits<double>::max()
+                                 : -0.1 * iterate.pin.gap.minCoeff();
+      std::vector<Arc> columns, rows_of_gap;
       for (const Eigen::Index i : iterate.active_set)
-        is_active[i] = true;
-      const auto active_arcs = find_arcs(is_active);
+        append(i, columns);
+      auto held = iterate.active_set.begin();
       for (Eigen::Index i = 0; i < n_nodes(); ++i)
-        is_active[i] = is_active[i] || iterate.pin.gap[i] < limit;
+        {
+          const bool is_held = held != iterate.active_set.end() && *held == i;
+          if (is_held)
+            ++held;
+          if (is_held || iterate.pin.gap[i] < limit)
+            append(i, rows_of_gap);
+        }
 
       iterate.gap.setZero(n_nodes());
-      for (const Arc &row : find_arcs(is_active))
-        for (const Arc &column : active_arcs)
+      for (const Arc &row : rows_of_gap)
+        for (const Arc &column : columns)
           add_product(compliance.block(
                         row.begin, column.begin, row.length, column.length),
                       iterate.nodal_force.segment(column.begin, column.length),

@@ -23,7 +23,8 @@ namespace Tribody
       using Eigen::Index;
 
       /// Four numbers in one register, or in two with SSE2.
-      typedef double Pack __attribute__((vector_size(32)));
+      typedef double  Pack __attribute__((vector_size(32)));
+      constexpr Index n_in_pack = 4;
 
       /// From anywhere, aligned or not.
       [[gnu::always_inline]] inline Pack
@@ -49,8 +50,70 @@ namespace Tribody
 
 
 
-      /// n_columns columns of the result, in strips of eight rows that stay in
-      /// registers.
+      /// Packs of rows that are worked on together: results that stay in the
+      /// registers, and enough of them that none waits for the one before.
+      constexpr Index
+      packs_per_strip(const Index n_columns)
+      {
+        return n_columns == 1 ? 8 : n_columns == 4 ? 2 : 4;
+      }
+
+
+
+      /// The rows of n_columns columns of the result that @p y begins with, of
+      /// which the first @p n_known have been worked on already.
+      template <Index n_columns>
+      [[gnu::always_inline]] inline void
+      add_strip(const Index   k,
+                const double *a,
+                const Index   stride_a,
+                const double *b,
+                const Index   stride_b,
+                double       *y,
+                const Index   stride_y,
+                const Index   n_known)
+      {
+        constexpr Index n_packs = packs_per_strip(n_columns);
+        Pack            sums[n_columns][n_packs];
+#pragma GCC unroll 8
+        for (Index q = 0; q < n_columns; ++q)
+#pragma GCC unroll 8
+          for (Index p = 0; p < n_packs; ++p)
+            sums[q][p] = load(y + n_in_pack * p + q * stride_y);
+        for (Index j = 0; j < k; ++j)
+#pragma GCC unroll 8
+          for (Index p = 0; p < n_packs; ++p)
+            {
+              const Pack rows = load(a + n_in_pack * p + j * stride_a);
+#pragma GCC unroll 8
+              for (Index q = 0; q < n_columns; ++q)
+                sums[q][p] += rows * b[j + q * stride_b];
+            }
+#pragma GCC unroll 8
+        for (Index q = 0; q < n_columns; ++q)
+          {
+            double *column = y + q * stride_y;
+            if (n_known == 0)
+              {
+#pragma GCC unroll 8
+                for (Index p = 0; p < n_packs; ++p)
+                  store(sums[q][p], column + n_in_pack * p);
+                continue;
+              }
+            double strip[n_packs * n_in_pack];
+#pragma GCC unroll 8
+            for (Index p = 0; p < n_packs; ++p)
+              store(sums[q][p], strip + n_in_pack * p);
+            std::copy(strip + n_known,
+                      strip + n_packs * n_in_pack,
+                      column + n_known);
+          }
+      }
+
+
+
+      /// n_columns columns of the result, strip by strip; the last one overlaps
+      /// with the one before.
       template <Index n_columns>
       [[gnu::always_inline]] inline void
       add_strips(const Index   m,
@@ -62,53 +125,79 @@ namespace Tribody
                  double       *y,
                  const Index   stride_y)
       {
-        Index i = 0;
-        for (; i + 8 <= m; i += 8)
+        constexpr Index n_rows = n_in_pack * packs_per_strip(n_columns);
+        if (m < n_rows)
           {
-            Pack low[n_columns], high[n_columns];
-            for (Index q = 0; q < n_columns; ++q)
-              {
-                const double *at = y + i + q * stride_y;
-                low[q]           = load(at);
-                high[q]          = load(at + 4);
-              }
             for (Index j = 0; j < k; ++j)
-              {
-                const double *at     = a + i + j * stride_a;
-                const Pack    a_low  = load(at);
-                const Pack    a_high = load(at + 4);
-                for (Index q = 0; q < n_columns; ++q)
-                  {
-                    low[q] += a_low * b[j + q * stride_b];
-                    high[q] += a_high * b[j + q * stride_b];
-                  }
-              }
-            for (Index q = 0; q < n_columns; ++q)
-              {
-                double *at = y + i + q * stride_y;
-                store(low[q], at);
-                store(high[q], at + 4);
-              }
+              for (Index q = 0; q < n_columns; ++q)
+                for (Index i = 0; i < m; ++i)
+                  y[i + q * stride_y] +=
+                    a[i + j * stride_a] * b[j + q * stride_b];
+            return;
           }
-        for (; i < m; ++i)
-          for (Index q = 0; q < n_columns; ++q)
-            for (Index j = 0; j < k; ++j)
-              y[i + q * stride_y] += a[i + j * stride_a] * b[j + q * stride_b];
+        for (Index end = n_rows;; end += n_rows)
+          {
+            const Index first = std::min(end, m) - n_rows;
+            add_strip<n_columns>(k,
+                                 a + first,
+                                 stride_a,
+                                 b,
+                                 stride_b,
+                                 y + first,
+                                 stride_y,
+                                 end - n_rows - first);
+            if (end >= m)
+              return;
+          }
+      }
+
+
+
+      /// All of the result, for a product over n_terms only.
+      template <Index n_terms>
+      [[gnu::always_inline]] inline void
+      add_terms(const Index   m,
+                const Index   n,
+                const double *a,
+                const Index   stride_a,
+                const double *b,
+                const Index   stride_b,
+                double       *y,
+                const Index   stride_y)
+      {
+        for (Index q = 0; q < n; ++q)
+          {
+            double factors[n_terms];
+            std::copy_n(b + q * stride_b, n_terms, factors);
+            double *column = y + q * stride_y;
+            Index   i      = 0;
+            for (; i + n_in_pack <= m; i += n_in_pack)
+              {
+                Pack sum = load(column + i);
+#pragma GCC unroll 8
+                for (Index j = 0; j < n_terms; ++j)
+                  sum += load(a + i + j * stride_a) * factors[j];
+                store(sum, column + i);
+              }
+            for (; i < m; ++i)
+              for (Index j = 0; j < n_terms; ++j)
+                column[i] += a[i + j * stride_a] * factors[j];
+          }
       }
 
 
 
       TRIBODY_FOR_ALL_PROCESSORS
       void
-      add(const Index   m,
-          const Index   n,
-          const Index   k,
-          const double *a,
-          const Index   stride_a,
-          const double *b,
-          const Index   stride_b,
-          double       *y,
-          const Index   stride_y)
+      add_few_columns(const Index   m,
+                      const Index   n,
+                      const Index   k,
+                      const double *a,
+                      const Index   stride_a,
+                      const double *b,
+                      const Index   stride_b,
+                      double       *y,
+                      const Index   stride_y)
       {
         for (Index first = 0; first < k; first += panel_width)
           for (Index j = 0; j < n; j += n_together)
@@ -137,6 +226,45 @@ namespace Tribody
                 }
             }
       }
+
+
+
+      TRIBODY_FOR_ALL_PROCESSORS
+      void
+      add_few_terms(const Index   m,
+                    const Index   n,
+                    const Index   k,
+                    const double *a,
+                    const Index   stride_a,
+                    const double *b,
+                    const Index   stride_b,
+                    double       *y,
+                    const Index   stride_y)
+      {
+        for (Index j = 0; j < k; j += n_together)
+          {
+            const double *few_a = a + j * stride_a;
+            const double *few_b = b + j;
+            switch (k - j)
+              {
+                case 1:
+                  add_terms<1>(
+                    m, n, few_a, stride_a, few_b, stride_b, y, stride_y);
+                  break;
+                case 2:
+                  add_terms<2>(
+                    m, n, few_a, stride_a, few_b, stride_b, y, stride_y);
+                  break;
+                case 3:
+                  add_terms<3>(
+                    m, n, few_a, stride_a, few_b, stride_b, y, stride_y);
+                  break;
+                default:
+                  add_terms<4>(
+                    m, n, few_a, stride_a, few_b, stride_b, y, stride_y);
+              }
+          }
+      }
     } // namespace
 
 
@@ -147,6 +275,7 @@ namespace Tribody
       AssertDimension(a.cols(), b.rows());
       AssertDimension(a.rows(), sum.rows());
       AssertDimension(b.cols(), sum.cols());
+      const auto add = a.cols() < b.cols() ? add_few_terms : add_few_columns;
       add(a.rows(),
           b.cols(),
           a.cols(),

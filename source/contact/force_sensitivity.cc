@@ -1,7 +1,6 @@
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include <tribody/contact/active_compliance.h>
+#include <tribody/contact/dense_products.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/contact/pin_gap.h>
 #include <tribody/contact/rigid_places.h>
@@ -63,12 +62,7 @@ namespace Tribody
       for (const Eigen::Index k : solution.rim.active_set)
         active.push_back(n_bore + k);
       const Eigen::Index n = active.size();
-      if (active != active_set)
-        {
-          active_set = active;
-          inverse    = Eigen::LLT<Eigen::MatrixXd>(compliance(active, active))
-                      .solve(Eigen::MatrixXd::Identity(n, n));
-        }
+      active_compliance.update(compliance, active, /*small changes = */ true);
 
       using Columns      = Eigen::Matrix<double, Eigen::Dynamic, n_free>;
       Columns directions = Columns::Zero(n, n_free);
@@ -87,13 +81,15 @@ namespace Tribody
                                        : solution.rim.nodal_force[i - n_bore]);
         }
 
-      const Columns y         = inverse * directions;
+      const Columns y         = active_compliance.solve(directions);
       const Square  stiffness = directions.transpose() * y;
       const Square  balance =
         Places::are_held(active, n_bore)
            ? Square((stiffness + geometric).inverse())
            : Places::invert_stiffness(stiffness, active, n_bore);
-      return inverse - y * balance * y.transpose();
+      Eigen::MatrixXd sensitivity = active_compliance.compute_inverse();
+      add_product(-y * balance, y.transpose(), sensitivity);
+      return sensitivity;
     }
   } // namespace Contact
 } // namespace Tribody

@@ -174,10 +174,8 @@ namespace Tribody
           // Newton's step for all contacts and the wear together: the contacts
           // at y, what the wear then is, and the contacts there.
           ++n_evaluations;
-          const Eigen::VectorXd first  = rate_of(hold_nodes(cycles, y));
-          Eigen::MatrixXd       matrix = -gamma * compute_jacobian();
-          matrix.diagonal().array() += 1.;
-          stage_matrix.compute(matrix);
+          const Eigen::VectorXd first = rate_of(hold_nodes(cycles, y));
+          stage_matrix.compute(compute_jacobian(), gamma);
           y += stage_matrix.solve(a + gamma * first - y);
 
           contacts                       = hold_nodes(cycles, y);

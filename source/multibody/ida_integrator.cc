@@ -8,6 +8,7 @@
 #include <tribody/multibody/ida_linear_solver.h>
 #include <tribody/multibody/ida_vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -380,12 +381,28 @@ namespace Tribody
     const std::vector<int> &
     IdaIntegrator::step(const double direction)
     {
-      const int flag = IDASolve(memory->ida,
-                                direction,
-                                &memory->time,
-                                memory->nv_y,
-                                memory->nv_y_t,
-                                IDA_ONE_STEP);
+      const auto solve = [&]() {
+        return IDASolve(memory->ida,
+                        direction,
+                        &memory->time,
+                        memory->nv_y,
+                        memory->nv_y_t,
+                        IDA_ONE_STEP);
+      };
+      int        flag = solve();
+      const bool is_at_root =
+        std::any_of(memory->roots_found.begin(),
+                    memory->roots_found.end(),
+                    [](const int found) { return found != 0; });
+      if (flag == IDA_ILL_INPUT && is_at_root)
+        {
+          // IDA refuses to leave a root where the function stays zero (to
+          // rounding): a start there ignores it until it no longer is.
+          start(memory->time,
+                Eigen::VectorXd(memory->y),
+                Eigen::VectorXd(memory->y_t));
+          flag = solve();
+        }
       memory->check(flag, "IDASolve");
       if (flag == IDA_ROOT_RETURN)
         memory->check(IDAGetRootInfo(memory->ida, memory->roots_found.data()),

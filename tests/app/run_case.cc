@@ -213,6 +213,7 @@ main(int argc, char **argv)
     }
   catch (const dealii::ExceptionBase &exception)
     {
+      std::cout.rdbuf(to_screen);
       exception.print_info(std::cerr);
       return 1;
     }

@@ -43,6 +43,10 @@ namespace Tribody
       Eigen::MatrixXd
       solve(const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const;
 
+      /// @f$ C_A^{-1} @f$, rows and columns in the order of the nodes.
+      Eigen::MatrixXd
+      compute_inverse();
+
       /// Factorise anew if changes were followed since that was last done.
       /// Returns whether there were any.
       bool

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <tribody/contact/active_compliance.h>
 #include <tribody/contact/contact_solution.h>
 #include <tribody/contact/housing.h>
 
@@ -21,8 +22,8 @@ namespace Tribody
      * of the gaps. S is symmetric and, with the pin held by the force alone,
      * positive semi-definite.
      *
-     * The object keeps the inverse of the last active set: solutions with the
-     * same one should follow each other.
+     * The object keeps the inverse of the last active set: solutions with
+     * similar ones should follow each other.
      */
     class ForceSensitivity
     {
@@ -59,8 +60,7 @@ namespace Tribody
       const Eigen::MatrixXd  &compliance;
       double                  pin_radius;
       const Housing          *housing;
-      ActiveSet               active_set;
-      Eigen::MatrixXd         inverse;
+      ActiveCompliance        active_compliance;
     };
   } // namespace Contact
 } // namespace Tribody

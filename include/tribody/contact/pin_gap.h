@@ -32,10 +32,15 @@ namespace Tribody
              const double            pin_radius,
              const Eigen::VectorXd  &pin_recess = {})
         : directions(positions.colwise() - pin_centre)
-        , distances(directions.colwise().norm())
-        , gap(distances.array() - pin_radius)
+        , distances(positions.cols())
       {
-        directions.array().rowwise() /= distances.transpose().array();
+        // Step by step, so that roots and quotients are taken by twos.
+        const Eigen::Array2Xd squares = directions.array().square();
+        distances = (squares.row(0) + squares.row(1)).matrix();
+        distances = distances.cwiseSqrt();
+        const Eigen::VectorXd inverse = distances.cwiseInverse();
+        directions.array().rowwise() *= inverse.transpose().array();
+        gap = distances.array() - pin_radius;
         if (pin_recess.size() > 0)
           gap += pin_recess;
       }

@@ -1,10 +1,11 @@
 #ifndef tribody_coupling_implicit_jump_h
 #define tribody_coupling_implicit_jump_h
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <tribody/coupling/cycle_jump.h>
 #include <tribody/wear/implicit_extrapolation.h>
+#include <tribody/wear/stage_matrix.h>
 
 #include <list>
 #include <optional>
@@ -118,9 +119,9 @@ namespace Tribody
       const RunState             *run = nullptr;
       /// Of the last iteration; empty before the first step.
       std::vector<CycleContact> contacts;
-      /// I - gamma dW/dy of the last iteration.
-      Eigen::PartialPivLU<Eigen::MatrixXd> stage_matrix;
-      unsigned int                         n_evaluations = 0;
+      /// Of the last iteration.
+      Wear::StageMatrix stage_matrix;
+      unsigned int      n_evaluations = 0;
       /// What the last step's end changes in the rate, as far as it lasts.
       Eigen::VectorXd rate_change;
       /// Bound of the next step [cycles] from what changes between steps.
