@@ -2,6 +2,7 @@
 
 #include <tribody/contact/active_compliance.h>
 #include <tribody/contact/contact_programme.h>
+#include <tribody/contact/rigid_places.h>
 
 #include <algorithm>
 #include <limits>
@@ -12,20 +13,21 @@ namespace Tribody
   {
     namespace
     {
-      /// Two neighbouring nodes that carry the whole force: the first point
-      /// that satisfies the constraint.
+      /// Two neighbours of the @p n nodes from @p begin on that carry the whole
+      /// force: the first point that satisfies the constraint.
       void
       carry_by_two_nodes(const ContactProgramme   &programme,
+                         const Eigen::Index        begin,
+                         const Eigen::Index        n,
                          ContactProgrammeSolution &solution)
       {
-        const auto        &m = programme.directions;
-        const Eigen::Index n = m.cols();
+        const auto &m = programme.directions;
         // All zero forces are carried by no node.
         if (programme.force.norm() == 0.)
           return;
-        for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index i = begin; i < begin + n; ++i)
           {
-            const Eigen::Index j = (i + 1) % n;
+            const Eigen::Index j = begin + (i + 1 - begin) % n;
             Eigen::Matrix2d    pair;
             pair << m.col(i), m.col(j);
             const Eigen::Vector2d share = pair.inverse() * programme.force;
@@ -36,20 +38,22 @@ namespace Tribody
               {
                 solution.nodal_force[i] = std::max(0., share[0]);
                 solution.nodal_force[j] = std::max(0., share[1]);
-                solution.active_set     = {std::min(i, j), std::max(i, j)};
+                solution.active_set.push_back(std::min(i, j));
+                solution.active_set.push_back(std::max(i, j));
                 return;
               }
           }
       }
 
       /// The minimum with the forces of all other nodes zero, signs ignored.
+      template <int n_free>
       Eigen::VectorXd
-      minimise_over(const ActiveSet        &active,
-                    const ContactProgramme &programme,
-                    ActiveCompliance       &factor,
-                    Eigen::Vector2d        &pin_step)
+      minimise_over(const ActiveSet                      &active,
+                    const ContactProgramme               &programme,
+                    ActiveCompliance                     &factor,
+                    typename RigidPlaces<n_free>::Vector &step)
       {
-        pin_step.setZero();
+        step.setZero();
         if (active.empty())
           return Eigen::VectorXd();
         factor.update(programme.compliance, active);
@@ -57,18 +61,41 @@ namespace Tribody
         if (!programme.pin_is_free)
           return -factor.solve(gap);
 
-        const Eigen::MatrixX2d m =
-          programme.directions(Eigen::all, active).transpose();
-        const Eigen::MatrixX2d y = factor.solve(m);
-        const Eigen::VectorXd  z = factor.solve(gap);
-        const Eigen::Matrix2d  pin_compliance =
-          invert_pin_stiffness(m.transpose() * y, active.size());
-        pin_step = pin_compliance * (programme.force + m.transpose() * z);
+        using Places  = RigidPlaces<n_free>;
+        using Columns = Eigen::Matrix<double, Eigen::Dynamic, n_free>;
+        const Eigen::Index n_bore = programme.gap.size() - programme.n_rim;
+        const auto         force  = Places::repeat(programme.force);
+        Columns            m      = Columns::Zero(active.size(), n_free);
+        for (std::size_t k = 0; k < active.size(); ++k)
+          m.template block<1, 2>(k, Places::first_column(active[k], n_bore)) =
+            programme.directions.col(active[k]).transpose();
+        const Columns                 y = factor.solve(m);
+        const Eigen::VectorXd         z = factor.solve(gap);
+        const typename Places::Square compliance =
+          Places::invert_stiffness(m.transpose() * y, active, n_bore);
+        step = compliance * (force + m.transpose() * z);
         // The difference of two large terms balances the force to their
         // rounding only.
-        Eigen::VectorXd forces = y * pin_step - z;
-        forces +=
-          y * (pin_compliance * (programme.force - m.transpose() * forces));
+        Eigen::VectorXd forces = y * step - z;
+        forces += y * (compliance * (force - m.transpose() * forces));
+        return forces;
+      }
+
+      Eigen::VectorXd
+      minimise_over(const ContactProgramme   &programme,
+                    ActiveCompliance         &factor,
+                    ContactProgrammeSolution &solution)
+      {
+        if (programme.n_rim == 0)
+          return minimise_over<2>(solution.active_set,
+                                  programme,
+                                  factor,
+                                  solution.pin_step);
+        Eigen::Vector4d       step;
+        const Eigen::VectorXd forces =
+          minimise_over<4>(solution.active_set, programme, factor, step);
+        solution.pin_step  = step.head<2>();
+        solution.ring_step = step.tail<2>();
         return forces;
       }
 
@@ -84,6 +111,10 @@ namespace Tribody
                                             gap.lpNorm<Eigen::Infinity>());
         gap +=
           programme.gap - programme.directions.transpose() * solution.pin_step;
+        if (programme.n_rim > 0)
+          gap.tail(programme.n_rim) +=
+            programme.directions.rightCols(programme.n_rim).transpose() *
+            (solution.pin_step - solution.ring_step);
         Eigen::Index entering = -1;
         double       deepest  = -tolerance;
         for (Eigen::Index i = 0; i < gap.size(); ++i)
@@ -148,7 +179,14 @@ namespace Tribody
       ContactProgrammeSolution solution;
       solution.nodal_force = Eigen::VectorXd::Zero(n);
       if (programme.pin_is_free)
-        carry_by_two_nodes(programme, solution);
+        {
+          carry_by_two_nodes(programme, 0, n - programme.n_rim, solution);
+          if (programme.n_rim > 0)
+            carry_by_two_nodes(programme,
+                               n - programme.n_rim,
+                               programme.n_rim,
+                               solution);
+        }
 
       ActiveCompliance factor;
       bool             was_blocked_at_once = false;
@@ -156,11 +194,9 @@ namespace Tribody
       for (auto &i = solution.report.n_iterations; i < max_iterations;)
         {
           ++i;
-          const Eigen::VectorXd target = minimise_over(solution.active_set,
-                                                       programme,
-                                                       factor,
-                                                       solution.pin_step);
-          const double          length = advance(target, solution);
+          const Eigen::VectorXd target =
+            minimise_over(programme, factor, solution);
+          const double length = advance(target, solution);
           if (length < 1.)
             {
               was_blocked_at_once = was_blocked_at_once || (length == 0.);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace Tribody
 {
@@ -84,20 +85,108 @@ namespace Tribody
           rising_root(powers.colPivHouseholderQr().solve(heights));
         return spacing * (std::isnan(x) ? 0.5 : std::clamp(x, -0.5, 1.5));
       }
+
+      ActiveSet
+      symmetric_difference(const ActiveSet &a, const ActiveSet &b)
+      {
+        ActiveSet nodes;
+        std::set_symmetric_difference(
+          a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(nodes));
+        return nodes;
+      }
+
+      /// Of a ContactSolution or its RimContact. Returns whether anything has
+      /// changed.
+      template <typename Surface>
+      bool
+      take_next(Surface &surface, const bool one_by_one)
+      {
+        const ActiveSet wrong =
+          symmetric_difference(surface.active_set, surface.next_active_set);
+        if (wrong.empty())
+          return false;
+        ActiveSet next = surface.next_active_set;
+        if (one_by_one)
+          next = symmetric_difference(surface.active_set, {wrong.back()});
+        const Eigen::VectorXd forces = surface.nodal_force;
+        surface.nodal_force.setZero();
+        surface.nodal_force(next) = forces(next);
+        surface.active_set        = std::move(next);
+        return true;
+      }
+
+      /// 1 for the @p nodes out of @p n, else 0.
+      Eigen::VectorXd
+      to_flags(const ActiveSet &nodes, const Eigen::Index n)
+      {
+        Eigen::VectorXd flags = Eigen::VectorXd::Zero(n);
+        flags(nodes).setOnes();
+        return flags;
+      }
+
+      ActiveSet
+      to_nodes(const Eigen::Ref<const Eigen::VectorXd> &flags)
+      {
+        ActiveSet nodes;
+        for (Eigen::Index i = 0; i < flags.size(); ++i)
+          if (flags[i] > 0.)
+            nodes.push_back(i);
+        return nodes;
+      }
+
+      void
+      broadcast_rim(RimContact        &rim,
+                    const unsigned int root,
+                    const MPI_Comm    &communicator)
+      {
+        const Eigen::Index n =
+          dealii::Utilities::MPI::broadcast(communicator,
+                                            rim.nodal_force.size(),
+                                            root);
+        if (n == 0)
+          {
+            rim = RimContact();
+            return;
+          }
+        if (rim.nodal_force.size() != n)
+          {
+            rim             = RimContact();
+            rim.nodal_force = rim.pressure = rim.gap = Eigen::VectorXd::Zero(n);
+          }
+        Eigen::VectorXd values(5 * n + 4);
+        values << rim.nodal_force, rim.pressure, rim.gap,
+          to_flags(rim.active_set, n), to_flags(rim.next_active_set, n),
+          rim.ring_place, rim.force;
+        Ranks::broadcast(values, root, communicator);
+        rim.nodal_force     = values.segment(0, n);
+        rim.pressure        = values.segment(n, n);
+        rim.gap             = values.segment(2 * n, n);
+        rim.active_set      = to_nodes(values.segment(3 * n, n));
+        rim.next_active_set = to_nodes(values.segment(4 * n, n));
+        rim.ring_place      = values.segment<2>(5 * n);
+        rim.force           = values.segment<2>(5 * n + 2);
+      }
     } // namespace
 
 
 
-    ActiveSet
-    differing_nodes(const ContactSolution &solution)
+    std::size_t
+    n_differing_nodes(const ContactSolution &solution)
     {
-      ActiveSet nodes;
-      std::set_symmetric_difference(solution.active_set.begin(),
-                                    solution.active_set.end(),
-                                    solution.next_active_set.begin(),
-                                    solution.next_active_set.end(),
-                                    std::back_inserter(nodes));
-      return nodes;
+      return symmetric_difference(solution.active_set, solution.next_active_set)
+               .size() +
+             symmetric_difference(solution.rim.active_set,
+                                  solution.rim.next_active_set)
+               .size();
+    }
+
+
+
+    void
+    take_next_active_set(ContactSolution &solution, const bool one_by_one)
+    {
+      if (!take_next(solution.rim, one_by_one) || !one_by_one)
+        take_next(solution, one_by_one);
     }
 
 
@@ -119,15 +208,12 @@ namespace Tribody
           solution.nodal_force = solution.pressure = solution.gap =
             Eigen::VectorXd::Zero(n);
         }
-      Eigen::VectorXd is_active = Eigen::VectorXd::Zero(n);
-      Eigen::VectorXd is_next   = Eigen::VectorXd::Zero(n);
-      is_active(solution.active_set).setOnes();
-      is_next(solution.next_active_set).setOnes();
       Eigen::VectorXd values(5 * n + 8);
       values << solution.nodal_force, solution.pressure, solution.gap,
-        is_active, solution.pin_centre, solution.force, solution.half_angle,
-        solution.report.converged, solution.report.n_iterations,
-        solution.report.residual, is_next;
+        to_flags(solution.active_set, n), solution.pin_centre, solution.force,
+        solution.half_angle, solution.report.converged,
+        solution.report.n_iterations, solution.report.residual,
+        to_flags(solution.next_active_set, n);
       Ranks::broadcast(values, root, communicator);
 
       solution.nodal_force         = values.segment(0, n);
@@ -139,15 +225,9 @@ namespace Tribody
       solution.report.converged    = values[4 * n + 5] > 0.;
       solution.report.n_iterations = std::lround(values[4 * n + 6]);
       solution.report.residual     = values[4 * n + 7];
-      solution.active_set.clear();
-      solution.next_active_set.clear();
-      for (Eigen::Index i = 0; i < n; ++i)
-        {
-          if (values[3 * n + i] > 0.)
-            solution.active_set.push_back(i);
-          if (values[4 * n + 8 + i] > 0.)
-            solution.next_active_set.push_back(i);
-        }
+      solution.active_set          = to_nodes(values.segment(3 * n, n));
+      solution.next_active_set     = to_nodes(values.segment(4 * n + 8, n));
+      broadcast_rim(solution.rim, root, communicator);
     }
 
 

@@ -1,3 +1,5 @@
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <tribody/contact/contact_programme.h>
@@ -9,6 +11,8 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace Tribody
@@ -40,6 +44,18 @@ namespace Tribody
           arcs.push_back({i, 0});
         ++arcs.back().length;
       }
+
+      /// Those below @p n_bore, and the others less @p n_bore.
+      std::pair<ActiveSet, ActiveSet>
+      split(const ActiveSet &nodes, const Eigen::Index n_bore)
+      {
+        const auto rim = std::lower_bound(nodes.begin(), nodes.end(), n_bore);
+        std::pair<ActiveSet, ActiveSet> parts{{nodes.begin(), rim},
+                                              {rim, nodes.end()}};
+        for (Eigen::Index &k : parts.second)
+          k -= n_bore;
+        return parts;
+      }
     } // namespace
 
 
@@ -47,12 +63,16 @@ namespace Tribody
     ContactSolver::ContactSolver(const BoreSurface             &surface,
                                  const Eigen::MatrixXd         &compliance,
                                  const double                   pin_radius,
-                                 const ContactSolverParameters &parameters)
+                                 const ContactSolverParameters &parameters,
+                                 const std::optional<Housing>  &housing)
       : surface(surface)
+      , housing(housing)
       , compliance(compliance)
       , pin_radius(pin_radius)
       , parameters(parameters)
-    {}
+    {
+      AssertDimension(compliance.cols(), n_nodes());
+    }
 
 
 
@@ -65,7 +85,7 @@ namespace Tribody
       if (force == 0.)
         {
           Iterate untouched;
-          untouched.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
+          untouched.nodal_force = Eigen::VectorXd::Zero(n_nodes());
           evaluate_gap(untouched, Rows::all);
           if (untouched.gap.minCoeff() >= -untouched.gap_tolerance)
             return make_solution(untouched, {true, 0, 0., ""});
@@ -84,6 +104,7 @@ namespace Tribody
       if (!report.converged)
         {
           iterate.pin_centre.setZero();
+          iterate.ring_place.setZero();
           iterate.nodal_force.setZero();
           iterate.active_set.clear();
         }
@@ -111,6 +132,7 @@ namespace Tribody
     ContactSolver::solve_position_controlled(const Eigen::Vector2d &pin_centre,
                                              const ContactSolution *warm_start)
     {
+      Assert(!housing, dealii::ExcNotImplemented());
       Iterate iterate;
       iterate.pin_centre  = pin_centre;
       iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
@@ -138,6 +160,7 @@ namespace Tribody
     ContactSolver::compute_pin_stiffness(const ContactSolution &solution,
                                          const Eigen::VectorXd &recess_slope)
     {
+      Assert(!housing, dealii::ExcNotImplemented());
       const ActiveSet &active = solution.active_set;
       PinStiffness     result;
       if (active.empty())
@@ -170,6 +193,7 @@ namespace Tribody
     double
     ContactSolver::stored_energy(const ContactSolution &solution) const
     {
+      Assert(!housing, dealii::ExcNotImplemented());
       // Where a force acts, the gap is closed: C lambda is minus the rigid gap.
       double twice = 0.;
       for (const Eigen::Index i : solution.active_set)
@@ -186,19 +210,19 @@ namespace Tribody
     ContactSolver::solve_held(const Eigen::Vector2d &force_per_length,
                               const ContactSolution &start)
     {
-      if (start.active_set.empty())
+      if (start.active_set.empty() || (housing && start.rim.active_set.empty()))
         return solve_force_controlled(force_per_length, nullptr);
 
       Iterate iterate = first_iterate(force_per_length, &start);
       newton_step(force_per_length, iterate);
-      if (!iterate.nodal_force.allFinite() ||
-          !(iterate.pin_centre.norm() < pin_radius))
+      if (!iterate.nodal_force.allFinite() || !is_in_place(iterate))
         return solve_force_controlled(force_per_length, nullptr);
 
       evaluate_gap(iterate, Rows::all);
       const SolverReport report{false, 1, relative_gap(iterate), ""};
       ContactSolution    solution = make_solution(iterate, report);
-      solution.next_active_set    = next_active_set(iterate);
+      std::tie(solution.next_active_set, solution.rim.next_active_set) =
+        split(next_active_set(iterate), surface.n_nodes());
       return solution;
     }
 
@@ -215,15 +239,30 @@ namespace Tribody
           iterate.nodal_force = warm_start->nodal_force;
           iterate.active_set  = warm_start->active_set;
           iterate.is_warm     = true;
+          if (housing)
+            {
+              const RimContact &rim = warm_start->rim;
+              iterate.ring_place    = rim.ring_place;
+              iterate.nodal_force.resize(n_nodes());
+              iterate.nodal_force << warm_start->nodal_force, rim.nodal_force;
+              for (const Eigen::Index k : rim.active_set)
+                iterate.active_set.push_back(surface.n_nodes() + k);
+            }
         }
       else
         {
           // From a centred pin and too wide a contact the iteration shrinks the
           // contact monotonically in nearly all cases.
-          iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
-          for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-            if (surface.normals.col(i).dot(force) >= 0.5 * force.norm())
-              iterate.active_set.push_back(i);
+          iterate.nodal_force       = Eigen::VectorXd::Zero(n_nodes());
+          const Eigen::Index n_bore = surface.n_nodes();
+          for (Eigen::Index i = 0; i < n_nodes(); ++i)
+            {
+              const Eigen::Vector2d normal =
+                i < n_bore ? surface.normals.col(i)
+                           : housing->rim.normals.col(i - n_bore);
+              if (normal.dot(force) >= 0.5 * force.norm())
+                iterate.active_set.push_back(i);
+            }
         }
       evaluate_gap(iterate, Rows::near);
       return iterate;
@@ -231,20 +270,29 @@ namespace Tribody
 
 
 
+    PinGap
+    ContactSolver::rigid_gap(const Iterate &iterate) const
+    {
+      PinGap pin(surface.positions, iterate.pin_centre, pin_radius, pin_recess);
+      return housing ? append_rim(pin, *housing, iterate.ring_place) : pin;
+    }
+
+
+
     void
     ContactSolver::evaluate_gap(Iterate &iterate, const Rows rows) const
     {
-      iterate.pin =
-        PinGap(surface.positions, iterate.pin_centre, pin_radius, pin_recess);
+      iterate.pin = rigid_gap(iterate);
       // Near is where the pin overlaps the undeformed bore, and a little more.
-      const double     limit = (rows == Rows::all)
+      // A free ring bends, and may touch elsewhere.
+      const double     limit = (rows == Rows::all || housing)
                                  ? std::numeric_limits<double>::max()
                                  : -0.1 * iterate.pin.gap.minCoeff();
       std::vector<Arc> columns, rows_of_gap;
       for (const Eigen::Index i : iterate.active_set)
         append(i, columns);
       auto held = iterate.active_set.begin();
-      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      for (Eigen::Index i = 0; i < n_nodes(); ++i)
         {
           const bool is_held = held != iterate.active_set.end() && *held == i;
           if (is_held)
@@ -253,7 +301,7 @@ namespace Tribody
             append(i, rows_of_gap);
         }
 
-      iterate.gap.setZero(surface.n_nodes());
+      iterate.gap.setZero(n_nodes());
       for (const Arc &row : rows_of_gap)
         for (const Arc &column : columns)
           add_product(compliance.block(
@@ -280,21 +328,19 @@ namespace Tribody
       while (report.n_iterations < parameters.max_iterations)
         {
           ++report.n_iterations;
-          if (iterate.active_set.empty())
-            return failure(report, "the contact was lost");
+          const std::string lost = what_is_lost(force, iterate);
+          if (!lost.empty())
+            return failure(report, lost);
           newton_step(force, iterate);
-          if (!iterate.nodal_force.allFinite() ||
-              !(iterate.pin_centre.norm() < pin_radius))
+          if (!iterate.nodal_force.allFinite() || !is_in_place(iterate))
             return failure(report, "the pin left the bore");
 
           evaluate_gap(iterate, Rows::near);
-          const double imbalance =
-            (iterate.pin.directions * iterate.nodal_force - force).norm() /
-            iterate.nodal_force.lpNorm<1>();
-          report.residual = std::max(relative_gap(iterate), imbalance);
+          report.residual =
+            std::max(relative_gap(iterate), imbalance(force, iterate));
 
           // Unless the force passes through it, the pin would roll off it.
-          if (iterate.active_set.size() == 1 &&
+          if (has_single_node(iterate) &&
               report.residual > parameters.tolerance)
             return failure(report, "one node does not hold the pin");
 
@@ -327,47 +373,130 @@ namespace Tribody
 
 
 
+    std::string
+    ContactSolver::what_is_lost(const Eigen::Vector2d &force,
+                                const Iterate         &iterate) const
+    {
+      const auto &active = iterate.active_set;
+      if (active.empty() || active.front() >= surface.n_nodes())
+        return "the contact was lost";
+      // A ring that a tight pin widens need not touch its housing.
+      if (housing && active.back() < surface.n_nodes() && force.norm() > 0.)
+        return "the housing was lost";
+      return "";
+    }
+
+
+
+    bool
+    ContactSolver::has_single_node(const Iterate &iterate) const
+    {
+      const auto &active = iterate.active_set;
+      if (!housing)
+        return active.size() == 1;
+      const auto rim =
+        std::lower_bound(active.begin(), active.end(), surface.n_nodes());
+      return rim - active.begin() == 1 || active.end() - rim == 1;
+    }
+
+
+
+    bool
+    ContactSolver::is_in_place(const Iterate &iterate) const
+    {
+      return iterate.pin_centre.norm() < pin_radius &&
+             (!housing || iterate.ring_place.norm() < housing->radius);
+    }
+
+
+
+    double
+    ContactSolver::imbalance(const Eigen::Vector2d &force,
+                             const Iterate         &iterate) const
+    {
+      const PinGap          &pin    = iterate.pin;
+      const Eigen::VectorXd &forces = iterate.nodal_force;
+      if (!housing)
+        return (pin.directions * forces - force).norm() / forces.lpNorm<1>();
+      const Eigen::Index n_bore = surface.n_nodes();
+      const Eigen::Index n_rim  = housing->rim.n_nodes();
+      return std::max(
+               (pin.directions.leftCols(n_bore) * forces.head(n_bore) - force)
+                 .norm(),
+               (pin.directions.rightCols(n_rim) * forces.tail(n_rim) - force)
+                 .norm()) /
+             forces.lpNorm<1>();
+    }
+
+
+
     void
     ContactSolver::newton_step(const Eigen::Vector2d &force, Iterate &iterate)
     {
+      if (!housing)
+        iterate.pin_centre += newton_step<2>(force, iterate);
+      else
+        {
+          const Eigen::Vector4d step = newton_step<4>(force, iterate);
+          iterate.pin_centre += step.head<2>();
+          iterate.ring_place += step.tail<2>();
+        }
+    }
+
+
+
+    template <int n_free>
+    typename RigidPlaces<n_free>::Vector
+    ContactSolver::newton_step(const Eigen::Vector2d &force, Iterate &iterate)
+    {
+      using Places  = RigidPlaces<n_free>;
+      using Square  = typename Places::Square;
+      using Vector  = typename Places::Vector;
+      using Columns = Eigen::Matrix<double, Eigen::Dynamic, n_free + 1>;
       // With y = C_A^{-1} m_A and z = C_A^{-1} g_A, the changes are
       //   dlambda_A = y d - z,   (m_A^T y + H) d = f - m_A^T (lambda_A - z),
       // H = d(sum lambda_i m_i)/de. As changes they correct the rounding errors
       // of the iteration before.
-      const PinGap      &pin    = iterate.pin;
-      const auto        &active = iterate.active_set;
-      const Eigen::Index n      = active.size();
-      Eigen::MatrixX3d   right_hand_sides(n, 3);
-      Eigen::Matrix2d    geometric = Eigen::Matrix2d::Zero();
+      const PinGap      &pin              = iterate.pin;
+      const auto        &active           = iterate.active_set;
+      const Eigen::Index n                = active.size();
+      const Eigen::Index n_bore           = surface.n_nodes();
+      Columns            right_hand_sides = Columns::Zero(n, n_free + 1);
+      Square             geometric        = Square::Zero();
       for (Eigen::Index k = 0; k < n; ++k)
         {
-          const Eigen::Index    i = active[k];
-          const Eigen::Vector2d m = pin.directions.col(i);
-          right_hand_sides.row(k) << m[0], m[1], iterate.gap[i];
-          geometric -= iterate.nodal_force[i] / pin.distances[i] *
-                       (Eigen::Matrix2d::Identity() - m * m.transpose());
+          const Eigen::Index i = active[k];
+          right_hand_sides.template block<1, 2>(k,
+                                                Places::first_column(i,
+                                                                     n_bore)) =
+            pin.directions.col(i).transpose();
+          right_hand_sides(k, n_free) = iterate.gap[i];
+          Places::subtract_curvature(
+            geometric, pin, i, n_bore, iterate.nodal_force[i]);
         }
       active_compliance.update(compliance, active, iterate.is_warm);
-      const Eigen::MatrixX3d yz = active_compliance.solve(right_hand_sides);
-      const auto             m  = right_hand_sides.leftCols<2>();
-      const auto             y  = yz.leftCols<2>();
-      const Eigen::Matrix2d  stiffness = m.transpose() * y;
-      const Eigen::Matrix2d  balancing = invert_pin_stiffness(stiffness, n);
-      // A single node leaves the pin where it is sideways.
-      const Eigen::Matrix2d inverse =
-        (n == 1) ? balancing
-                 : Eigen::Matrix2d((stiffness + geometric).inverse());
-      Eigen::VectorXd       forces = iterate.nodal_force(active) - yz.col(2);
-      const Eigen::Vector2d step   = inverse * (force - m.transpose() * forces);
+      const Columns yz        = active_compliance.solve(right_hand_sides);
+      const auto    m         = right_hand_sides.template leftCols<n_free>();
+      const auto    y         = yz.template leftCols<n_free>();
+      const Square  stiffness = m.transpose() * y;
+      const Square  balancing =
+        Places::invert_stiffness(stiffness, active, n_bore);
+      // A single node leaves the body where it is sideways.
+      const Square    inverse     = Places::are_held(active, n_bore)
+                                      ? Square((stiffness + geometric).inverse())
+                                      : balancing;
+      const Vector    both_forces = Places::repeat(force);
+      Eigen::VectorXd forces = iterate.nodal_force(active) - yz.col(n_free);
+      const Vector    step   = inverse * (both_forces - m.transpose() * forces);
 
       forces += y * step;
       // The difference of two large terms balances the force to their rounding
       // only; what is missing is far less than a rounding of the pin's place.
-      const Eigen::Vector2d balance =
-        force - geometric * step - m.transpose() * forces;
+      const Vector balance =
+        both_forces - geometric * step - m.transpose() * forces;
       forces += y * (balancing * balance);
       iterate.nodal_force(active) = forces;
-      iterate.pin_centre += step;
+      return step;
     }
 
 
@@ -423,8 +552,7 @@ namespace Tribody
     ContactSolver::solve_programme(const Eigen::Vector2d *force,
                                    Iterate               &iterate) const
     {
-      iterate.pin =
-        PinGap(surface.positions, iterate.pin_centre, pin_radius, pin_recess);
+      iterate.pin = rigid_gap(iterate);
       const ContactProgramme programme{
         compliance,
         iterate.pin.gap,
@@ -432,14 +560,17 @@ namespace Tribody
         force != nullptr,
         force != nullptr ? *force : Eigen::Vector2d(0., 0.),
         8. * std::numeric_limits<double>::epsilon() * pin_radius,
-        parameters.tolerance};
-      const auto            solution = solve_contact_programme(programme);
-      const Eigen::Vector2d moved    = iterate.pin_centre + solution.pin_step;
-      const bool            usable =
-        solution.report.converged && moved.norm() < pin_radius;
+        parameters.tolerance,
+        n_nodes() - surface.n_nodes()};
+      const auto solution = solve_contact_programme(programme);
+      Iterate    moved    = iterate;
+      moved.pin_centre += solution.pin_step;
+      moved.ring_place += solution.ring_step;
+      const bool usable = solution.report.converged && is_in_place(moved);
       if (usable)
         {
-          iterate.pin_centre  = moved;
+          iterate.pin_centre  = moved.pin_centre;
+          iterate.ring_place  = moved.ring_place;
           iterate.nodal_force = solution.nodal_force;
           iterate.active_set  = solution.active_set;
         }
@@ -504,16 +635,30 @@ namespace Tribody
     ContactSolver::make_solution(const Iterate      &iterate,
                                  const SolverReport &report) const
     {
-      ContactSolution solution;
-      solution.nodal_force = iterate.nodal_force;
-      solution.pressure    = iterate.nodal_force.cwiseQuotient(surface.weights);
-      solution.gap         = iterate.gap;
-      solution.pin_centre  = iterate.pin_centre;
-      solution.force       = iterate.pin.directions * iterate.nodal_force;
-      solution.active_set  = iterate.active_set;
-      solution.next_active_set = iterate.active_set;
-      solution.report          = report;
-      solution.half_angle      = contact_half_angle(solution, surface);
+      const Eigen::Index n_bore = surface.n_nodes();
+      ContactSolution    solution;
+      solution.nodal_force = iterate.nodal_force.head(n_bore);
+      solution.pressure   = solution.nodal_force.cwiseQuotient(surface.weights);
+      solution.gap        = iterate.gap.head(n_bore);
+      solution.pin_centre = iterate.pin_centre;
+      solution.force =
+        iterate.pin.directions.leftCols(n_bore) * solution.nodal_force;
+      std::tie(solution.active_set, solution.rim.active_set) =
+        split(iterate.active_set, n_bore);
+      solution.next_active_set = solution.active_set;
+      if (housing)
+        {
+          RimContact        &rim   = solution.rim;
+          const Eigen::Index n_rim = housing->rim.n_nodes();
+          rim.nodal_force          = iterate.nodal_force.tail(n_rim);
+          rim.pressure   = rim.nodal_force.cwiseQuotient(housing->rim.weights);
+          rim.gap        = iterate.gap.tail(n_rim);
+          rim.ring_place = iterate.ring_place;
+          rim.force = iterate.pin.directions.rightCols(n_rim) * rim.nodal_force;
+          rim.next_active_set = rim.active_set;
+        }
+      solution.report     = report;
+      solution.half_angle = contact_half_angle(solution, surface);
       return solution;
     }
   } // namespace Contact

@@ -3,6 +3,7 @@
 #include <tribody/contact/dense_products.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/contact/pin_gap.h>
+#include <tribody/contact/rigid_places.h>
 
 namespace Tribody
 {
@@ -10,10 +11,12 @@ namespace Tribody
   {
     ForceSensitivity::ForceSensitivity(const Eigen::Matrix2Xd &positions,
                                        const Eigen::MatrixXd  &compliance,
-                                       const double            pin_radius)
+                                       const double            pin_radius,
+                                       const Housing          *housing)
       : positions(positions)
       , compliance(compliance)
       , pin_radius(pin_radius)
+      , housing(housing)
     {}
 
 
@@ -33,29 +36,57 @@ namespace Tribody
     Eigen::MatrixXd
     ForceSensitivity::compute(const ContactSolution &solution)
     {
-      const ActiveSet   &active = solution.active_set;
-      const Eigen::Index n      = active.size();
+      const Eigen::Index n = solution.active_set.size();
       if (n == 0)
         return {};
+      const PinGap pin(positions, solution.pin_centre, pin_radius);
+      if (housing == nullptr)
+        return compute<2>(solution, pin);
+      return compute<4>(solution,
+                        append_rim(pin, *housing, solution.rim.ring_place))
+        .topLeftCorner(n, n);
+    }
+
+
+
+    template <int n_free>
+    Eigen::MatrixXd
+    ForceSensitivity::compute(const ContactSolution &solution,
+                              const PinGap          &gap)
+    {
+      using Places = RigidPlaces<n_free>;
+      using Square = typename Places::Square;
+
+      const Eigen::Index n_bore = solution.nodal_force.size();
+      ActiveSet          active = solution.active_set;
+      for (const Eigen::Index k : solution.rim.active_set)
+        active.push_back(n_bore + k);
+      const Eigen::Index n = active.size();
       active_compliance.update(compliance, active, /*small changes = */ true);
 
-      const PinGap     pin(positions, solution.pin_centre, pin_radius);
-      Eigen::MatrixX2d directions(n, 2);
-      Eigen::Matrix2d  geometric = Eigen::Matrix2d::Zero();
+      using Columns      = Eigen::Matrix<double, Eigen::Dynamic, n_free>;
+      Columns directions = Columns::Zero(n, n_free);
+      Square  geometric  = Square::Zero();
       for (Eigen::Index k = 0; k < n; ++k)
         {
-          const Eigen::Index    i = active[k];
-          const Eigen::Vector2d m = pin.directions.col(i);
-          directions.row(k)       = m.transpose();
-          geometric -= solution.nodal_force[i] / pin.distances[i] *
-                       (Eigen::Matrix2d::Identity() - m * m.transpose());
+          const Eigen::Index i = active[k];
+          directions.template block<1, 2>(k, Places::first_column(i, n_bore)) =
+            gap.directions.col(i).transpose();
+          Places::subtract_curvature(geometric,
+                                     gap,
+                                     i,
+                                     n_bore,
+                                     i < n_bore
+                                       ? solution.nodal_force[i]
+                                       : solution.rim.nodal_force[i - n_bore]);
         }
 
-      const Eigen::MatrixX2d y         = active_compliance.solve(directions);
-      const Eigen::Matrix2d  stiffness = directions.transpose() * y;
-      const Eigen::Matrix2d  balance =
-        n == 1 ? invert_pin_stiffness(stiffness, n)
-                : Eigen::Matrix2d((stiffness + geometric).inverse());
+      const Columns y         = active_compliance.solve(directions);
+      const Square  stiffness = directions.transpose() * y;
+      const Square  balance =
+        Places::are_held(active, n_bore)
+           ? Square((stiffness + geometric).inverse())
+           : Places::invert_stiffness(stiffness, active, n_bore);
       Eigen::MatrixXd sensitivity = active_compliance.compute_inverse();
       add_product(-y * balance, y.transpose(), sensitivity);
       return sensitivity;

@@ -241,9 +241,45 @@ namespace Tribody
                     ExcParameter(path + name_of_limit,
                                  "must not be negative; 0 means no limit"));
       rim_support.check("Bushing " + name);
+      check_housing(joint);
       mesh.check(path + "Mesh");
       check_mesh(joint);
       contact_solver.check(path + "Contact solver");
+    }
+
+
+
+    void
+    BushingParameters::check_housing(
+      const Multibody::JointParameters &joint) const
+    {
+      if (!rim_support.is_housing())
+        return;
+      const std::string parameter = "Bushing " + name + "/Outer support";
+      AssertThrow(
+        !mesh_file.is_given() && rim_shape.is_concentric_circle(),
+        ExcParameter(parameter,
+                     "'housing' needs a rim that is a circle around "
+                     "the bore, without 'Outer centre', 'Outer shape' "
+                     "or a mesh file"));
+      AssertThrow(pressure_model == "finite element",
+                  ExcParameter(parameter,
+                               "'housing' needs 'Pressure model = finite "
+                               "element', but it is '" +
+                                 pressure_model +
+                                 "', which knows nothing of the rim"));
+      AssertThrow(stiffness_solver == "direct",
+                  ExcParameter(parameter,
+                               "'housing' needs 'Stiffness solver = direct', "
+                               "but it is '" +
+                                 stiffness_solver + "'"));
+      AssertThrow(!joint.needs_support(),
+                  ExcParameter(parameter,
+                               "'housing' cannot be combined with the contact "
+                               "force law 'finite element' of the joint or "
+                               "'Wear/Scheme = coupled': without a force on "
+                               "it, the place of the ring in its housing is "
+                               "not known"));
     }
 
 

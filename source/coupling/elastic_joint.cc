@@ -1,6 +1,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q.h>
 
+#include <Eigen/Cholesky>
+
 #include <tribody/base/ranks.h>
 #include <tribody/coupling/bushing_mesh.h>
 #include <tribody/coupling/elastic_joint.h>
@@ -68,6 +70,10 @@ namespace Tribody
       , surface(make_bore_surface(geometry.bore_nodes().positions,
                                   geometry.bore_nodes().degree))
     {
+      if (parameters.rim_support.is_housing())
+        ring_housing =
+          Contact::Housing{elasticity.rim_surface(),
+                           outer_radius + parameters.rim_support.housing_gap};
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
       if (pressure_model == "infinite plate")
@@ -128,7 +134,9 @@ namespace Tribody
         {
           const Eigen::MatrixXd P =
             make_turned_interpolation(surface, pin_surface, /*angle = */ 0.);
-          joint_compliance += P.transpose() * pin_compliance * P;
+          const Eigen::Index n = surface.n_nodes();
+          joint_compliance.topLeftCorner(n, n) +=
+            P.transpose() * pin_compliance * P;
         }
       depth_at_compliance = depth;
       ++n_builds;
@@ -145,12 +153,33 @@ namespace Tribody
         return Elasticity::winkler_compliance(surface,
                                               elasticity.hooke(),
                                               outer_radius);
+      if (ring_housing)
+        return elasticity.bore_and_rim_compliance(surface.normals,
+                                                  communicator);
       return elasticity.normal_compliance(
         surface.normals,
         cells_are_alike && depth.isZero(0.)
           ? Elasticity::RingSymmetry::cells_alike
           : Elasticity::RingSymmetry::none,
         communicator);
+    }
+
+
+
+    Eigen::MatrixXd
+    ElasticJoint::stiffest_compliance() const
+    {
+      if (!ring_housing)
+        return joint_compliance;
+      const Eigen::Index    n     = surface.n_nodes();
+      const Eigen::Index    n_rim = ring_housing->rim.n_nodes();
+      const Eigen::MatrixXd C_rb  = joint_compliance.bottomLeftCorner(n_rim, n);
+      const Eigen::MatrixXd Z =
+        Eigen::LLT<Eigen::MatrixXd>(
+          joint_compliance.bottomRightCorner(n_rim, n_rim))
+          .matrixL()
+          .solve(C_rb);
+      return joint_compliance.topLeftCorner(n, n) - Z.transpose() * Z;
     }
 
 
@@ -162,7 +191,13 @@ namespace Tribody
       const auto write = [&]() {
         const Eigen::Matrix2Xd nodal_forces =
           surface.normals * contact.nodal_force.asDiagonal();
-        const MeshVector displacement = elasticity.solve(nodal_forces);
+        Eigen::Matrix2Xd rim_forces(2, 0);
+        if (ring_housing)
+          rim_forces =
+            -ring_housing->rim.normals * contact.rim.nodal_force.asDiagonal();
+        MeshVector displacement = elasticity.solve(nodal_forces, rim_forces);
+        if (ring_housing)
+          elasticity.move_rigidly(displacement, contact.rim.ring_place);
         const Elasticity::StressPostprocessor stresses(elasticity.hooke());
 
         Output::write_bushing_vtu(file_name,
@@ -173,7 +208,9 @@ namespace Tribody
                                    displacement,
                                    geometry.wear_displacement(),
                                    contact.pressure,
-                                   depth});
+                                   depth,
+                                   elasticity.rim_nodes(),
+                                   contact.rim.pressure});
       };
       if (is_distributed(*triangulation))
         return write();

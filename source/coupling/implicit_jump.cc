@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -243,25 +242,7 @@ namespace Tribody
     {
       for (CycleContact &contact : contacts)
         for (Contact::ContactSolution &sample : contact.samples)
-          {
-            const Contact::ActiveSet wrong = Contact::differing_nodes(sample);
-            if (wrong.empty())
-              continue;
-            Contact::ActiveSet next = sample.next_active_set;
-            if (one_by_one)
-              {
-                next.clear();
-                std::set_symmetric_difference(sample.active_set.begin(),
-                                              sample.active_set.end(),
-                                              wrong.end() - 1,
-                                              wrong.end(),
-                                              std::back_inserter(next));
-              }
-            const Eigen::VectorXd forces = sample.nodal_force;
-            sample.nodal_force.setZero();
-            sample.nodal_force(next) = forces(next);
-            sample.active_set        = std::move(next);
-          }
+          Contact::take_next_active_set(sample, one_by_one);
     }
 
 

@@ -72,7 +72,8 @@ namespace Tribody
             Contact::ContactSolver solver(elastic.bore(),
                                           elastic.compliance(),
                                           joint.pin_radius,
-                                          parameters.contact_solver);
+                                          parameters.contact_solver,
+                                          elastic.housing());
             const auto solution = solver.solve_force_controlled(force);
             if (solution.report.converged &&
                 solution.active_set.size() >= enough_nodes)

@@ -101,7 +101,7 @@ namespace Tribody
         Ranks::share(contact.samples.size(), communicator);
       std::size_t n = 0;
       for (Eigen::Index j = own.begin; j < own.end; ++j)
-        n += Contact::differing_nodes(contact.samples[j]).size();
+        n += Contact::n_differing_nodes(contact.samples[j]);
       return dealii::Utilities::MPI::sum(n, communicator);
     }
 
@@ -139,7 +139,8 @@ namespace Tribody
       Contact::ContactSolver solver(contact.surface,
                                     elastic.compliance(),
                                     joint.pin_radius,
-                                    parameters.contact_solver);
+                                    parameters.contact_solver,
+                                    elastic.housing());
 
       // Neighbouring samples differ little, and the same sample on a similar
       // bore differs less; but a cycle before may have had fewer samples: where
@@ -249,7 +250,10 @@ namespace Tribody
       Eigen::MatrixXd           derivative = Eigen::MatrixXd::Zero(n, n);
       Contact::ForceSensitivity sensitivity(contact.surface.positions,
                                             elastic.compliance(),
-                                            joint.pin_radius);
+                                            joint.pin_radius,
+                                            elastic.housing()
+                                              ? &*elastic.housing()
+                                              : nullptr);
       const Ranks::Range        own =
         Ranks::share(contact.samples.size(), communicator);
       for (const std::size_t j : order_by_active_set(contact.samples, own))
@@ -367,6 +371,21 @@ namespace Tribody
 
 
 
+    JointClearance
+    WearingBushing::clearance() const
+    {
+      JointClearance surfaces{clearance_profile(), pin_wear_profile()};
+      if (const double gap = parameters.rim_support.housing_gap; gap > 0.)
+        surfaces.bushing =
+          ClearanceProfile(node_angles(),
+                           (wear_profile.depth.array() +
+                            (joint.bushing_radius - joint.pin_radius + gap))
+                             .matrix());
+      return surfaces;
+    }
+
+
+
     std::shared_ptr<const Multibody::PinSupport>
     WearingBushing::make_support() const
     {
@@ -460,7 +479,7 @@ namespace Tribody
       // Nothing wears, nothing can become unstable.
       if (!(wear_per_pressure > 0.))
         return std::numeric_limits<double>::max();
-      return Wear::max_stable_step(elastic.compliance(),
+      return Wear::max_stable_step(elastic.stiffest_compliance(),
                                    wear_profile.area_derivative(elastic.bore()),
                                    wear_per_pressure);
     }

@@ -1,6 +1,10 @@
+#include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <Eigen/LU>
 
 #include <tribody/base/cholesky_factor.h>
 #include <tribody/base/linear_solver.h>
@@ -18,18 +22,19 @@ namespace Tribody
   {
     namespace
     {
-      /// @p stiffness with the normal and the tangential displacement of each
-      /// bore node in the places of x and y.
+      /// @p stiffness with the displacement along the given direction and
+      /// across it in the places of x and y of each node.
       Eigen::SparseMatrix<double>
       turn_to_normals(const dealii::TrilinosWrappers::SparseMatrix &stiffness,
-                      const BoreNodes                              &nodes,
+                      const std::vector<int>                       &x_dofs,
+                      const std::vector<int>                       &y_dofs,
                       const Eigen::Matrix2Xd                       &normals)
       {
         std::vector<Eigen::Triplet<double>> entries;
         std::vector<bool>                   turned(stiffness.m(), false);
-        for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+        for (Eigen::Index i = 0; i < normals.cols(); ++i)
           {
-            const int x = nodes.x_dofs[i], y = nodes.y_dofs[i];
+            const int x = x_dofs[i], y = y_dofs[i];
             entries.emplace_back(x, x, normals(0, i));
             entries.emplace_back(y, x, normals(1, i));
             entries.emplace_back(x, y, -normals(1, i));
@@ -63,6 +68,11 @@ namespace Tribody
     {
       dof_handler.distribute_dofs(fe);
       nodes = make_bore_nodes(dof_handler);
+      if (support.is_housing())
+        {
+          rim       = make_bore_nodes(dof_handler, BoundaryIds::rim);
+          rim_curve = make_bore_surface(rim.positions, degree);
+        }
 
       constraints.reinit(relevant_dofs(dof_handler));
       dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
@@ -88,7 +98,9 @@ namespace Tribody
     {
       solver.reset();
       assemble_stiffness(mapping, dof_handler, constraints, law, stiffness);
-      if (!support.is_clamped())
+      if (support.is_housing())
+        assemble_keys(rim, law.mu, stiffness);
+      else if (!support.is_clamped())
         assemble_foundation(
           mapping, dof_handler, constraints, support, stiffness);
       is_assembled = true;
@@ -154,9 +166,55 @@ namespace Tribody
 
       // The normal displacement of a bore node takes the place of x. Hanging
       // nodes are never bore nodes.
-      const CholeskyFactor factor(turn_to_normals(stiffness, nodes, normals),
-                                  {nodes.x_dofs.begin(), nodes.x_dofs.end()});
+      const std::vector<int> x_dofs(nodes.x_dofs.begin(), nodes.x_dofs.end());
+      const std::vector<int> y_dofs(nodes.y_dofs.begin(), nodes.y_dofs.end());
+      const CholeskyFactor   factor(
+        turn_to_normals(stiffness, x_dofs, y_dofs, normals), x_dofs);
       return factor.compute_inverse_block(communicator);
+    }
+
+
+
+    Eigen::MatrixXd
+    BushingElasticity::bore_and_rim_compliance(
+      const Eigen::Matrix2Xd &bore_normals,
+      const MPI_Comm         &communicator) const
+    {
+      Assert(is_assembled, dealii::ExcNotInitialized());
+      AssertDimension(bore_normals.cols(), nodes.n_nodes());
+      std::vector<int> x_dofs(nodes.x_dofs.begin(), nodes.x_dofs.end());
+      std::vector<int> y_dofs(nodes.y_dofs.begin(), nodes.y_dofs.end());
+      x_dofs.insert(x_dofs.end(), rim.x_dofs.begin(), rim.x_dofs.end());
+      y_dofs.insert(y_dofs.end(), rim.y_dofs.begin(), rim.y_dofs.end());
+      Eigen::Matrix2Xd directions(2, x_dofs.size());
+      directions << bore_normals, -rim_curve.normals;
+      const CholeskyFactor factor(
+        turn_to_normals(stiffness, x_dofs, y_dofs, directions), x_dofs);
+      Eigen::MatrixXd compliance = factor.compute_inverse_block(communicator);
+
+      // (I - T Z^T) C (I - Z T^T) + little T T^T / mu, T being the
+      // displacements of a rigid body and Z what finds it from the rim's
+      // displacements.
+      constexpr double       little = 1e-3;
+      const Eigen::MatrixX2d T      = directions.transpose();
+      const Eigen::MatrixX2d V =
+        -compliance.rightCols(rim.n_nodes()) * rim_averages();
+      const Eigen::Matrix2d K =
+        -rim_averages().transpose() * V.bottomRows(rim.n_nodes());
+      const Eigen::MatrixX2d W =
+        V - 0.5 * T * (K + Eigen::Matrix2d::Identity() * (little / law.mu));
+      compliance -= T * W.transpose() + W * T.transpose();
+      return compliance;
+    }
+
+
+
+    Eigen::MatrixX2d
+    BushingElasticity::rim_averages() const
+    {
+      const Eigen::MatrixX2d weighted =
+        rim_curve.weights.asDiagonal() * rim_curve.normals.transpose();
+      return weighted * (rim_curve.normals * weighted).inverse();
     }
 
 
@@ -188,8 +246,37 @@ namespace Tribody
 
 
 
+    Eigen::Vector2d
+    BushingElasticity::mean_rim_displacement(
+      const MeshVector &displacement) const
+    {
+      Eigen::VectorXd along_normals(rim.n_nodes());
+      for (Eigen::Index k = 0; k < rim.n_nodes(); ++k)
+        along_normals[k] =
+          rim_curve.normals(0, k) * displacement[rim.x_dofs[k]] +
+          rim_curve.normals(1, k) * displacement[rim.y_dofs[k]];
+      return rim_averages().transpose() * along_normals;
+    }
+
+
+
+    void
+    BushingElasticity::move_rigidly(MeshVector            &displacement,
+                                    const Eigen::Vector2d &step) const
+    {
+      MeshVector translation = make_mesh_vector(dof_handler);
+      dealii::VectorTools::interpolate(dof_handler,
+                                       dealii::Functions::ConstantFunction<2>(
+                                         std::vector<double>{step[0], step[1]}),
+                                       translation);
+      displacement += translation;
+    }
+
+
+
     MeshVector
-    BushingElasticity::solve(const Eigen::Matrix2Xd &nodal_forces) const
+    BushingElasticity::solve(const Eigen::Matrix2Xd &nodal_forces,
+                             const Eigen::Matrix2Xd &rim_forces) const
     {
       AssertDimension(nodal_forces.cols(), nodes.n_nodes());
       Eigen::VectorXd forces =
@@ -200,10 +287,17 @@ namespace Tribody
             forces[local(nodes.x_dofs[i])] = nodal_forces(0, i);
             forces[local(nodes.y_dofs[i])] = nodal_forces(1, i);
           }
+      for (Eigen::Index k = 0; k < rim_forces.cols(); ++k)
+        {
+          forces[local(rim.x_dofs[k])] = rim_forces(0, k);
+          forces[local(rim.y_dofs[k])] = rim_forces(1, k);
+        }
       const Eigen::VectorXd solution     = linear_solver().solve(forces);
       MeshVector            displacement = make_mesh_vector(dof_handler);
       std::copy(solution.begin(), solution.end(), displacement.begin());
       constraints.distribute(displacement);
+      if (support.is_housing())
+        move_rigidly(displacement, -mean_rim_displacement(displacement));
       displacement.update_ghost_values();
       return displacement;
     }

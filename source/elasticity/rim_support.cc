@@ -13,7 +13,10 @@
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/elasticity/rim_support.h>
+#include <tribody/surface/bore_nodes.h>
 #include <tribody/surface/boundary_ids.h>
+
+#include <cmath>
 
 namespace Tribody
 {
@@ -26,10 +29,13 @@ namespace Tribody
         prm,
         "Outer support",
         kind,
-        {"clamped", "elastic foundation"},
+        {"clamped", "elastic foundation", "housing"},
         "What holds the bushing at its rim. clamped: a rigid seat that it is "
         "bonded to; elastic foundation: springs spread over the rim, for a "
-        "soft seat.");
+        "soft seat; housing: a free ring that lies in a rigid, round and "
+        "smooth bore, with a gap, and presses on it where it touches. Keys "
+        "that carry no radial force keep the ring from turning; it has no "
+        "inertia of its own.");
       Parameters::add_quantity(
         prm,
         "Foundation normal stiffness",
@@ -46,6 +52,14 @@ namespace Tribody
         "k_t of 'elastic foundation': shear stress on the rim over its "
         "displacement along the rim; 0 takes that of the normal. A layer of "
         "thickness h has E/(2 (1+nu) h).");
+      Parameters::add_quantity(
+        prm,
+        "Housing gap",
+        housing_gap,
+        "m",
+        "g of 'housing': its radius less that of the rim, not negative. The "
+        "dynamics sees a clearance that is wider by as much.",
+        "um");
     }
 
 
@@ -54,7 +68,7 @@ namespace Tribody
     RimSupport::check(const std::string &path) const
     {
       AssertThrow(
-        is_clamped() || normal_stiffness > 0.,
+        kind != "elastic foundation" || normal_stiffness > 0.,
         ExcParameter(path + "/Foundation normal stiffness",
                      Units::to_string(normal_stiffness, "N/m^3", "N/m^3") +
                        " must be positive if 'Outer support' is "
@@ -65,6 +79,18 @@ namespace Tribody
                      Units::to_string(tangential_stiffness, "N/m^3", "N/m^3") +
                        " must be positive, or 0 for that of the "
                        "normal"));
+      AssertThrow(housing_gap >= 0.,
+                  ExcParameter(path + "/Housing gap",
+                               Units::to_string(housing_gap, "m", "um") +
+                                 " must not be negative; 0 is a ring that fits "
+                                 "its housing"));
+      AssertThrow(
+        is_housing() || housing_gap == 0.,
+        ExcParameter(path + "/Housing gap",
+                     Units::to_string(housing_gap, "m", "um") +
+                       " has a meaning with 'Outer support = housing' "
+                       "only, but that is '" +
+                       kind + "'"));
     }
 
 
@@ -119,6 +145,27 @@ namespace Tribody
               cell->get_dof_indices(dofs);
               constraints.distribute_local_to_global(cell_matrix, dofs, matrix);
             }
+      matrix.compress(dealii::VectorOperation::add);
+    }
+
+
+
+    void
+    assemble_keys(const BoreNodes                        &rim,
+                  const double                            stiffness,
+                  dealii::TrilinosWrappers::SparseMatrix &matrix)
+    {
+      for (Eigen::Index k = 0; k < 3; ++k)
+        {
+          const Eigen::Index    i = k * rim.n_nodes() / 3;
+          const Eigen::Vector2d t(-std::sin(rim.angles[i]),
+                                  std::cos(rim.angles[i]));
+          const auto            x = rim.x_dofs[i], y = rim.y_dofs[i];
+          matrix.add(x, x, stiffness * t[0] * t[0]);
+          matrix.add(x, y, stiffness * t[0] * t[1]);
+          matrix.add(y, x, stiffness * t[1] * t[0]);
+          matrix.add(y, y, stiffness * t[1] * t[1]);
+        }
       matrix.compress(dealii::VectorOperation::add);
     }
   } // namespace Elasticity

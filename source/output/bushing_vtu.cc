@@ -29,6 +29,9 @@ namespace Tribody
               values[nodes.x_dofs[i]] = fields.contact_pressure[i];
               values[nodes.y_dofs[i]] = fields.wear_depth[i];
             }
+        // A ring in a housing is never distributed.
+        for (Eigen::Index k = 0; k < fields.rim_pressure.size(); ++k)
+          values[fields.rim_nodes.x_dofs[k]] = fields.rim_pressure[k];
         values.update_ghost_values();
         return values;
       }

@@ -167,7 +167,9 @@ namespace Tribody
       AssertThrow(closed,
                   ExcRun("The boundary of the mesh with the " +
                          std::string(boundary_id == BoundaryIds::bore ? "bore"
-                                                                      : "pin") +
+                                     : boundary_id == BoundaryIds::rim
+                                       ? "rim"
+                                       : "pin") +
                          "'s indicator " + std::to_string(boundary_id) +
                          " is not one closed curve around the origin (" +
                          std::to_string(faces.ends.size()) + " faces, " +

@@ -13,7 +13,9 @@ namespace Tribody
      * @f[ \min_{\lambda \ge 0} \tfrac12 \lambda^T C \lambda + g^T \lambda
      *     \quad\text{subject to}\quad \sum_i \lambda_i m_i = f, @f]
      * whose multiplier is the step d of the pin. Without a free pin the
-     * constraint and d are missing.
+     * constraint and d are missing. With a free ring in a Housing its rim's
+     * nodes come last, with a second constraint of the same f, whose multiplier
+     * is the step of the ring.
      */
     struct ContactProgramme
     {
@@ -27,13 +29,16 @@ namespace Tribody
       double gap_tolerance;
       /// The same as a fraction of the largest elastic displacement [-].
       double relative_tolerance;
+      /// How many of the nodes belong to the rim of a free ring.
+      Eigen::Index n_rim = 0;
     };
 
     /// What solves a ContactProgramme.
     struct ContactProgrammeSolution
     {
       Eigen::VectorXd nodal_force;
-      Eigen::Vector2d pin_step = Eigen::Vector2d::Zero();
+      Eigen::Vector2d pin_step  = Eigen::Vector2d::Zero();
+      Eigen::Vector2d ring_step = Eigen::Vector2d::Zero();
       ActiveSet       active_set;
       SolverReport    report;
     };

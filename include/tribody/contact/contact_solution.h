@@ -18,6 +18,29 @@ namespace Tribody
     using ActiveSet = std::vector<Eigen::Index>;
 
     /**
+     * How the rim of a free ring and its housing press on each other. All
+     * vectors have one entry per node of the rim, and none without a housing.
+     */
+    struct RimContact
+    {
+      /// Nodal forces on the rim against its normals, per axial length [N/m],
+      /// not negative.
+      Eigen::VectorXd nodal_force;
+      /// Contact pressure [Pa].
+      Eigen::VectorXd pressure;
+      /// What is left open between deformed ring and housing [m].
+      Eigen::VectorXd gap;
+      /// By how much the ring is displaced in the housing [m]: the circle that
+      /// fits its rim best, as far as the compliance is seen from there.
+      Eigen::Vector2d ring_place = Eigen::Vector2d::Zero();
+      /// Force of the ring on the housing per axial length [N/m].
+      Eigen::Vector2d force = Eigen::Vector2d::Zero();
+      /// As in ContactSolution.
+      ActiveSet active_set;
+      ActiveSet next_active_set;
+    };
+
+    /**
      * How pin and bore press on each other in one instant. A plain value; all
      * vectors have one entry per bore node. A new member belongs into
      * broadcast(), too.
@@ -42,12 +65,18 @@ namespace Tribody
       /// See contact_half_angle() [rad].
       double       half_angle = 0.;
       SolverReport report;
+      RimContact   rim;
     };
 
-    /// Nodes that are held though the next active set has them free, or the
-    /// other way round, ascending.
-    ActiveSet
-    differing_nodes(const ContactSolution &solution);
+    /// How many nodes are held though the next active set has them free, or the
+    /// other way round.
+    std::size_t
+    n_differing_nodes(const ContactSolution &solution);
+
+    /// Let the next active set of @p solution be its active set; or change only
+    /// the last node in which they differ. What is released presses no longer.
+    void
+    take_next_active_set(ContactSolution &solution, const bool one_by_one);
 
     /// Replace @p solution by that of rank @p root of @p communicator, on whose
     /// ranks all must know the same bore.

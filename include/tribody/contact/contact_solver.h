@@ -6,8 +6,13 @@
 #include <tribody/contact/active_compliance.h>
 #include <tribody/contact/contact_solution.h>
 #include <tribody/contact/contact_solver_parameters.h>
+#include <tribody/contact/housing.h>
 #include <tribody/contact/pin_gap.h>
+#include <tribody/contact/rigid_places.h>
 #include <tribody/surface/bore_surface.h>
+
+#include <optional>
+#include <string>
 
 namespace Tribody
 {
@@ -43,6 +48,10 @@ namespace Tribody
      * after max_iterations, a ContactProgramme is solved instead, once
      * if the pin is fixed, else repeatedly, linearised about its last result.
      *
+     * With a free ring in a Housing, the nodes of its rim are further ones, and
+     * the ring's place is found with that of the pin, under a given force only.
+     * The pin's centre is then that relative to the ring's place.
+     *
      * The object keeps the last inverse: use one per thread. Results depend on
      * what was solved before by less than the tolerance.
      */
@@ -52,12 +61,14 @@ namespace Tribody
       /**
        * @param surface of the undeformed, worn bore.
        * @param compliance C [m per N/m] for the normals of @p surface.
+       *   With a @p housing, of bore and rim, see Housing.
        * @param pin_radius R [m].
        */
       ContactSolver(const BoreSurface             &surface,
                     const Eigen::MatrixXd         &compliance,
                     const double                   pin_radius,
-                    const ContactSolverParameters &parameters = {});
+                    const ContactSolverParameters &parameters = {},
+                    const std::optional<Housing>  &housing    = {});
 
       /// Let the worn pin lie inside its circle by @p recess [m] where it faces
       /// the bore's nodes, see PinGap; empty: a round pin. For all that is
@@ -80,7 +91,7 @@ namespace Tribody
                              const ContactSolution *warm_start = nullptr);
 
       /// The contact with the pin's centre at @p pin_centre [m]; the force is
-      /// a result.
+      /// a result. @pre There is no housing.
       ContactSolution
       solve_position_controlled(const Eigen::Vector2d &pin_centre,
                                 const ContactSolution *warm_start = nullptr);
@@ -95,19 +106,22 @@ namespace Tribody
        * @f$ d\lambda_A/d\alpha = -C_A^{-1}\,r'_A @f$, and the moment is
        * @f$ \sum_i \lambda_i r'_i @f$.
        * @param recess_slope r' at the bore's nodes [m/rad]; empty: none.
+       * @pre There is no housing.
        */
       PinStiffness
       compute_pin_stiffness(const ContactSolution &solution,
                             const Eigen::VectorXd &recess_slope = {});
 
       /// @f$ \tfrac12 \lambda^T C \lambda @f$ of @p solution [J/m].
+      /// @pre There is no housing.
       double
       stored_energy(const ContactSolution &solution) const;
 
       /**
        * One iteration of the active sets, for callers who iterate on more than
        * this contact: exactly the nodes of @p start.active_set are held on the
-       * pin, even if that takes tension, and the force is balanced.
+       * pin (and those of the rim in the housing), even if that takes tension,
+       * and the force is balanced.
        *
        * @return what follows; it solves the contact problem if its
        *   next_active_set is its active_set. If @p start holds nothing, or what
@@ -118,13 +132,15 @@ namespace Tribody
                  const ContactSolution &start);
 
     private:
-      /// What the iterations change, and what follows from it.
+      /// What the iterations change, and what follows from it. With a housing
+      /// the nodes of the rim follow those of the bore.
       struct Iterate
       {
         Eigen::Vector2d pin_centre = Eigen::Vector2d::Zero();
+        Eigen::Vector2d ring_place = Eigen::Vector2d::Zero();
         Eigen::VectorXd nodal_force;
         ActiveSet       active_set;
-        /// Rigid gap at the pin's centre.
+        /// Rigid gap at these places.
         PinGap pin;
         /// With the elastic displacement.
         Eigen::VectorXd gap;
@@ -133,6 +149,16 @@ namespace Tribody
         /// Begun from a similar solution, so that the nodes change little.
         bool is_warm = false;
       };
+
+      /// Of bore and rim.
+      Eigen::Index
+      n_nodes() const
+      {
+        return surface.n_nodes() + (housing ? housing->rim.n_nodes() : 0);
+      }
+
+      PinGap
+      rigid_gap(const Iterate &iterate) const;
 
       Iterate
       first_iterate(const Eigen::Vector2d &force,
@@ -153,7 +179,27 @@ namespace Tribody
       SolverReport
       iterate_pin_and_forces(const Eigen::Vector2d &force, Iterate &iterate);
 
+      /// What lets the iteration give up, or nothing.
+      std::string
+      what_is_lost(const Eigen::Vector2d &force, const Iterate &iterate) const;
+
+      /// Whether a body is touched by one node alone.
+      bool
+      has_single_node(const Iterate &iterate) const;
+
+      bool
+      is_in_place(const Iterate &iterate) const;
+
+      /// Of the @p force to what the nodes carry, relative to their forces.
+      double
+      imbalance(const Eigen::Vector2d &force, const Iterate &iterate) const;
+
       void
+      newton_step(const Eigen::Vector2d &force, Iterate &iterate);
+
+      /// @tparam n_free see RigidPlaces.
+      template <int n_free>
+      typename RigidPlaces<n_free>::Vector
       newton_step(const Eigen::Vector2d &force, Iterate &iterate);
 
       SolverReport
@@ -183,6 +229,7 @@ namespace Tribody
       make_solution(const Iterate &iterate, const SolverReport &report) const;
 
       BoreSurface             surface;
+      std::optional<Housing>  housing;
       Eigen::MatrixXd         compliance;
       double                  pin_radius;
       Eigen::VectorXd         pin_recess;

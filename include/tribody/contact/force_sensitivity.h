@@ -5,6 +5,7 @@
 
 #include <tribody/contact/active_compliance.h>
 #include <tribody/contact/contact_solution.h>
+#include <tribody/contact/housing.h>
 
 namespace Tribody
 {
@@ -30,13 +31,17 @@ namespace Tribody
       /**
        * @param positions of the undeformed bore nodes [m].
        * @param compliance C [m per N/m].
-       * Both must outlive this object.
+       * Both must outlive this object, and so must @p housing.
+       * @param housing of a free ring, or nullptr. The nodes of the rim that
+       *   touch it are then eliminated with the ring's place: S is the block of
+       *   the bore.
        */
       ForceSensitivity(const Eigen::Matrix2Xd &positions,
                        const Eigen::MatrixXd  &compliance,
-                       const double            pin_radius);
+                       const double            pin_radius,
+                       const Housing          *housing = nullptr);
 
-      /// S on the nodes in contact of @p solution [N/m per m].
+      /// S on the nodes of the bore in contact of @p solution [N/m per m].
       Eigen::MatrixXd
       compute(const ContactSolution &solution);
 
@@ -47,9 +52,14 @@ namespace Tribody
              const double           factor);
 
     private:
+      template <int n_free>
+      Eigen::MatrixXd
+      compute(const ContactSolution &solution, const PinGap &gap);
+
       const Eigen::Matrix2Xd &positions;
       const Eigen::MatrixXd  &compliance;
       double                  pin_radius;
+      const Housing          *housing;
       ActiveCompliance        active_compliance;
     };
   } // namespace Contact

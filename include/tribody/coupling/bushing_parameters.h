@@ -120,6 +120,10 @@ namespace Tribody
       pin_is_elastic(const Multibody::JointParameters &joint) const;
 
     private:
+      /// A ring in a housing is not everything at once.
+      void
+      check_housing(const Multibody::JointParameters &joint) const;
+
       void
       check_mesh(const Multibody::JointParameters &joint) const;
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <tribody/contact/contact_solution.h>
+#include <tribody/contact/housing.h>
 #include <tribody/coupling/bushing_parameters.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/geometry/worn_configuration.h>
@@ -15,6 +16,7 @@
 
 #include <memory>
 #include <mpi.h>
+#include <optional>
 #include <string>
 
 namespace Tribody
@@ -27,7 +29,9 @@ namespace Tribody
      * nodes. If the pin is elastic, its compliance is added to that of the
      * bore, @f$ C = C_b + P^T C_p P @f$ with P of make_turned_interpolation().
      * A round pin looks the same from all sides, so that P needs no angle.
-     * With another pressure model, C_b is that of the closed form.
+     * With another pressure model, C_b is that of the closed form. For a free
+     * ring in a housing all this is at the nodes of bore and rim, as
+     * Contact::Housing wants it.
      */
     class ElasticJoint
     {
@@ -65,12 +69,26 @@ namespace Tribody
         return surface;
       }
 
-      /// Normal compliance of bore and pin at the bore nodes [m per N/m]. It
-      /// follows the shape with the lag that compliance_update allows.
+      /// Normal compliance of bore and pin at the bore nodes [m per N/m],
+      /// followed by those of the rim if there is a housing. It follows the
+      /// shape with the lag that compliance_update allows.
       const Eigen::MatrixXd &
       compliance() const
       {
         return joint_compliance;
+      }
+
+      /// Normal compliance of bore and pin at the bore nodes [m per N/m]; of a
+      /// ring in a housing with all of the rim held there, as no contact can be
+      /// stiffer.
+      Eigen::MatrixXd
+      stiffest_compliance() const;
+
+      /// What a free ring lies in.
+      const std::optional<Contact::Housing> &
+      housing() const
+      {
+        return ring_housing;
       }
 
       bool
@@ -126,9 +144,10 @@ namespace Tribody
       BoreSurface     pin_surface;
       Eigen::MatrixXd pin_compliance;
 
-      Eigen::VectorXd depth;
-      BoreSurface     surface;
-      /// Of bore and pin, at the bore nodes.
+      Eigen::VectorXd                 depth;
+      BoreSurface                     surface;
+      std::optional<Contact::Housing> ring_housing;
+      /// Of bore and pin, at the nodes that can be touched.
       Eigen::MatrixXd joint_compliance;
       Eigen::VectorXd depth_at_compliance;
       unsigned int    n_builds = 0;

@@ -224,12 +224,11 @@ namespace Tribody
       ClearanceProfile
       pin_wear_profile() const;
 
-      /// The worn surfaces as the dynamics takes them.
+      /// The worn surfaces as the dynamics takes them. A ring without inertia
+      /// in a housing follows the pin until it touches that: the pin has the
+      /// gap of the housing more to go, in all directions.
       JointClearance
-      clearance() const
-      {
-        return {clearance_profile(), pin_wear_profile()};
-      }
+      clearance() const;
 
       /// The elasticity of pin and worn bore as the dynamics takes it.
       std::shared_ptr<const Multibody::PinSupport>

@@ -14,6 +14,7 @@
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/surface_compliance.h>
 #include <tribody/surface/bore_nodes.h>
+#include <tribody/surface/bore_surface.h>
 
 #include <memory>
 
@@ -35,7 +36,8 @@ namespace Tribody
      * @f[ \int_\Omega \sigma(u) : \varepsilon(v)\,dx
      *     + \int_{rim} v \cdot (k_n\,n n^T + k_t\,t t^T)\,u\,ds
      *     = \sum_i f_i \cdot v(x_i) \quad \forall v, @f]
-     * or with u = 0 at a clamped rim, per length along the axis. The domain is
+     * or with u = 0 at a clamped rim, or free but for keys and nodal forces at
+     * the rim if it lies in a housing, per length along the axis. The domain is
      * the image of the mesh under a mapping, so that a worn bushing needs no
      * other mesh. Displacements are small.
      *
@@ -86,10 +88,32 @@ namespace Tribody
                         const RingSymmetry      symmetry = RingSymmetry::none,
                         const MPI_Comm &communicator     = MPI_COMM_SELF) const;
 
-      /// Displacement [m] under forces at the bore nodes [N/m], one column
-      /// each.
+      /**
+       * The same of a ring in a housing at all nodes where it can be touched:
+       * those of the bore, whose forces and displacements are counted along the
+       * normals, followed by those of the rim, where they are counted against
+       * the normals. Displacements are seen from the circle that fits the
+       * deformed rim best,
+       * @f[ \sum_k w_k \nu_k\,(\nu_k \cdot u_k) = 0 @f]
+       * over its nodes with weights w and normals @f$\nu@f$. What forces lack
+       * to equilibrium is distributed over the rim like @f$ w_k \nu_k @f$, and
+       * displaces the ring besides by a thousandth of its sum over the shear
+       * modulus, so that the matrix is positive definite.
+       */
+      Eigen::MatrixXd
+      bore_and_rim_compliance(const Eigen::Matrix2Xd &bore_normals,
+                              const MPI_Comm         &communicator) const;
+
+      /// Displacement [m] under forces at the nodes of bore and rim [N/m], one
+      /// column each. @param rim_forces of a ring in a housing, or nothing; the
+      /// displacement is then seen as in bore_and_rim_compliance().
       MeshVector
-      solve(const Eigen::Matrix2Xd &nodal_forces) const;
+      solve(const Eigen::Matrix2Xd &nodal_forces,
+            const Eigen::Matrix2Xd &rim_forces = {}) const;
+
+      /// Add a displacement of the whole bushing by @p step [m].
+      void
+      move_rigidly(MeshVector &displacement, const Eigen::Vector2d &step) const;
 
       const dealii::DoFHandler<2, 2> &
       get_dof_handler() const
@@ -101,6 +125,20 @@ namespace Tribody
       bore_nodes() const
       {
         return nodes;
+      }
+
+      /// Without nodes unless the ring lies in a housing; likewise the curve
+      /// through them, whose normals point out of the ring.
+      const BoreNodes &
+      rim_nodes() const
+      {
+        return rim;
+      }
+
+      const BoreSurface &
+      rim_surface() const
+      {
+        return rim_curve;
       }
 
       /// The stiffness [Pa], with the rows and columns of a clamped rim
@@ -122,6 +160,14 @@ namespace Tribody
       const LinearSolver &
       linear_solver() const;
 
+      Eigen::Vector2d
+      mean_rim_displacement(const MeshVector &displacement) const;
+
+      /// @f$ w_k \nu_k @f$, one row each, so that the sum with @f$\nu_k@f$ is
+      /// the unit matrix.
+      Eigen::MatrixX2d
+      rim_averages() const;
+
       /// Of the compliance, those in @p range.
       Eigen::MatrixXd
       compliance_columns(const Eigen::Matrix2Xd &normals,
@@ -141,6 +187,8 @@ namespace Tribody
       dealii::DoFHandler<2, 2>               dof_handler;
       dealii::AffineConstraints<double>      constraints;
       BoreNodes                              nodes;
+      BoreNodes                              rim;
+      BoreSurface                            rim_curve;
       dealii::TrilinosWrappers::SparseMatrix stiffness;
       bool                                   is_assembled = false;
       mutable std::unique_ptr<LinearSolver>  solver;

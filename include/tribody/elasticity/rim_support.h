@@ -21,29 +21,36 @@ namespace dealii
 
 namespace Tribody
 {
+  struct BoreNodes;
+
   namespace Elasticity
   {
     /**
      * What holds a bushing at its rim: a rigid seat, u = 0 ("clamped"), or
      * springs spread over the rim ("elastic foundation") that push back with
      * @f[ \sigma n = -k_n (u \cdot n)\,n - k_t (u \cdot t)\,t, @f]
-     * n and t being normal and tangent of the rim.
+     * n and t being normal and tangent of the rim; or nothing but the pressure
+     * of a rigid, round and smooth bore around it ("housing"), in which it lies
+     * with a gap. Keys keep it from turning, see assemble_keys().
      */
     struct RimSupport
     {
-      /// "clamped" or "elastic foundation".
+      /// "clamped", "elastic foundation" or "housing".
       std::string kind = "clamped";
       /// k_n [N/m^3].
       double normal_stiffness = 0.;
       /// k_t [N/m^3]; 0: k_n.
       double tangential_stiffness = 0.;
+      /// What the radius of the housing exceeds that of the rim by [m].
+      double housing_gap = 0.;
 
       /// Declares in the current subsection.
       void
       add_parameters(dealii::ParameterHandler &prm);
 
       /// @param path of the subsection, for the message.
-      /// @throws ExcParameter for springs that cannot hold the bushing.
+      /// @throws ExcParameter for springs or a housing that cannot hold the
+      /// bushing.
       void
       check(const std::string &path) const;
 
@@ -51,6 +58,12 @@ namespace Tribody
       is_clamped() const
       {
         return kind == "clamped";
+      }
+
+      bool
+      is_housing() const
+      {
+        return kind == "housing";
       }
     };
 
@@ -64,6 +77,20 @@ namespace Tribody
                         const dealii::AffineConstraints<double> &constraints,
                         const RimSupport                        &support,
                         dealii::TrilinosWrappers::SparseMatrix  &matrix);
+
+    /**
+     * Hold a free ring by three keys: springs along the rim, at three of the
+     * nodes @p rim, 120 degrees apart as nearly as the mesh has it. They add to
+     * the stiffness @p matrix what it takes to be regular, and no more: under
+     * forces in equilibrium they carry nothing; a moment they take by forces
+     * along the rim that add up to zero. So the ring deforms as if it were
+     * free, however stiff the keys.
+     * @param stiffness of a key, per axial length [Pa].
+     */
+    void
+    assemble_keys(const BoreNodes                        &rim,
+                  const double                            stiffness,
+                  dealii::TrilinosWrappers::SparseMatrix &matrix);
   } // namespace Elasticity
 } // namespace Tribody
 

@@ -38,14 +38,19 @@ namespace Tribody
       /// depth [m].
       const Eigen::VectorXd &contact_pressure;
       const Eigen::VectorXd &wear_depth;
+      /// Of a ring in a housing: the nodes of its rim and the pressure there
+      /// [Pa]; else both empty.
+      const BoreNodes       &rim_nodes;
+      const Eigen::VectorXd &rim_pressure;
     };
 
     /**
      * Write a VTU file for ParaView: the bushing on its worn geometry [m] with
      * displacement and wear_displacement (vectors), the stresses of the
      * postprocessor, and contact_pressure and wear_depth, which live on the
-     * bore and are zero at all nodes inside. The ranks of a distributed mesh
-     * write one file together.
+     * bore (contact_pressure of a ring in a housing on the rim, too) and are
+     * zero at all nodes inside. The ranks of a distributed mesh write one file
+     * together.
      *
      * @throws ExcRun if the file cannot be written.
      */

@@ -51,7 +51,8 @@ namespace Tribody
    * Collect the bore nodes of @p dof_handler, whose element must be
    * FESystem<2>(FE_Q<2>(p), 2). Positions are those of the mesh's manifold
    * (exactly on the circle), whatever mapping is used later.
-   * @param boundary_id BoundaryIds::pin_surface for the outside of a pin.
+   * @param boundary_id BoundaryIds::pin_surface for the outside of a pin,
+   *   BoundaryIds::rim for the rim of a ring.
    * @throws ExcRun if the boundary with this id is not one closed curve around
    *   the origin.
    */
