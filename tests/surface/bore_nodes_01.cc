@@ -5,6 +5,7 @@
 // mesh refined at one side of the bore has one node set as well. A boundary
 // that is open, missing, or that does not go around the origin is refused.
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -99,8 +100,9 @@ check_refusal(const dealii::Triangulation<2> &triangulation)
 }
 
 int
-main()
+main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (unsigned int degree = 1; degree <= 3; ++degree)
     {
       dealii::Triangulation<2> ring;
