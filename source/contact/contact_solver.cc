@@ -471,7 +471,7 @@ namespace Tribody
                                                                      n_bore)) =
             pin.directions.col(i).transpose();
           right_hand_sides(k, n_free) = iterate.gap[i];
-          Places::subtract_curvature(
+          Places::add_curvature(
             geometric, pin, i, n_bore, iterate.nodal_force[i]);
         }
       active_compliance.update(compliance, active, iterate.is_warm);

@@ -21,18 +21,6 @@ namespace Tribody
 
 
 
-    void
-    ForceSensitivity::add_to(Eigen::MatrixXd       &sum,
-                             const ContactSolution &solution,
-                             const double           factor)
-    {
-      const ActiveSet &active = solution.active_set;
-      if (!active.empty())
-        sum(active, active) -= factor * compute(solution);
-    }
-
-
-
     Eigen::MatrixXd
     ForceSensitivity::compute(const ContactSolution &solution)
     {
@@ -72,13 +60,13 @@ namespace Tribody
           const Eigen::Index i = active[k];
           directions.template block<1, 2>(k, Places::first_column(i, n_bore)) =
             gap.directions.col(i).transpose();
-          Places::subtract_curvature(geometric,
-                                     gap,
-                                     i,
-                                     n_bore,
-                                     i < n_bore
-                                       ? solution.nodal_force[i]
-                                       : solution.rim.nodal_force[i - n_bore]);
+          Places::add_curvature(geometric,
+                                gap,
+                                i,
+                                n_bore,
+                                i < n_bore
+                                  ? solution.nodal_force[i]
+                                  : solution.rim.nodal_force[i - n_bore]);
         }
 
       const Columns y         = active_compliance.solve(directions);

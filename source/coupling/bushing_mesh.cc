@@ -61,7 +61,9 @@ namespace Tribody
     std::optional<BushingParameters>
     coarsen_mesh(const BushingParameters &parameters)
     {
+      // Every rank has all of it: it is small enough for the direct solver.
       BushingParameters coarse = parameters;
+      coarse.stiffness_solver  = "direct";
       if (parameters.mesh_file.is_given())
         {
           if (parameters.mesh_file.n_refinements == 0)

@@ -87,7 +87,9 @@ namespace Tribody
         "conjugate gradients with algebraic multigrid find every displacement "
         "to 1e-12 of the force. A ring is shared best if powers of two divide "
         "its bore cells and radial cells; cells of a refined sector stay on "
-        "the rank that had them.");
+        "the rank that had them. The coarser mesh of 'Wear/Mesh error "
+        "estimate' is solved directly, by each rank alone, as is what "
+        "'Mesh/Nodes across contact' looks at.");
       Parameters::add_quantity(prm,
                                "Wear coefficient",
                                wear_coefficient,

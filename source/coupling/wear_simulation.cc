@@ -38,6 +38,27 @@ namespace Tribody
 
 
 
+      // Where they are more than those of the joints: a ring in a housing
+      // follows the pin until it touches that.
+      Multibody::CycleSimulation::Clearances
+      make_unworn_clearances(const CaseParameters &parameters)
+      {
+        Multibody::CycleSimulation::Clearances clearances;
+        for (const BushingParameters &bushing : parameters.bushings)
+          {
+            const Multibody::JointParameters &joint =
+              parameters.joint(bushing.name);
+            const double gap = bushing.rim_support.housing_gap;
+            if (gap > 0. && joint.has_clearance())
+              clearances.emplace(bushing.name,
+                                 JointClearance{ClearanceProfile(
+                                                  joint.bushing_radius -
+                                                  joint.pin_radius + gap),
+                                                ClearanceProfile(0.)});
+          }
+        return clearances;
+      }
+
       // Unworn. If a mesh is to be as fine as the contact wants it, a cycle of
       // the dynamics says how large that is.
       std::list<WearingBushing>
@@ -56,7 +77,8 @@ namespace Tribody
                       });
         Multibody::DutyCycle first_cycle;
         if (needs_forces)
-          first_cycle = dynamics.run({}, make_unworn_supports(parameters));
+          first_cycle = dynamics.run(make_unworn_clearances(parameters),
+                                     make_unworn_supports(parameters));
         for (const BushingParameters &bushing : parameters.bushings)
           {
             const Multibody::JointParameters &joint =
@@ -181,7 +203,15 @@ namespace Tribody
       // the first failure is the one to report.
       try
         {
-          write_summary(directory, recorder, "failed", message);
+          if (ours == nullptr)
+            {
+              // Perhaps on this rank only, which must not wait for others.
+              write_summary(directory, recorder, "failed", message);
+              return;
+            }
+          Ranks::run_together(communicator, [&]() {
+            write_summary(directory, recorder, "failed", message);
+          });
           recorder.record_fields(state, bushings);
         }
       catch (const std::exception &)
@@ -399,10 +429,10 @@ namespace Tribody
     {
       dealii::TimerOutput::Scope scope(timer, "dynamics");
 
-      Multibody::CycleSimulation::Clearances clearances;
+      auto clearances = make_unworn_clearances(parameters);
       for (const WearingBushing &bushing : bushings)
         {
-          clearances.emplace(bushing.name(), bushing.clearance());
+          clearances.insert_or_assign(bushing.name(), bushing.clearance());
           if (bushing.joint_parameters().needs_support())
             supports[bushing.name()] = bushing.make_support();
         }

@@ -24,12 +24,14 @@ namespace Tribody
 
 
     Eigen::MatrixXd
-    symmetric_part(const Eigen::MatrixXd &compliance, const std::string &body)
+    symmetric_part(const Eigen::MatrixXd &compliance,
+                   const std::string     &body,
+                   const double           largest_asymmetry)
     {
       const double asymmetry =
         (compliance - compliance.transpose()).cwiseAbs().maxCoeff() /
         compliance.cwiseAbs().maxCoeff();
-      AssertThrow(asymmetry < 1e-10,
+      AssertThrow(asymmetry < largest_asymmetry,
                   ExcRun("The compliance of a " + body +
                          " came out unsymmetric by " +
                          std::to_string(asymmetry) +

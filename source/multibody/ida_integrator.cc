@@ -361,6 +361,7 @@ namespace Tribody
                          const double           initial_step)
     {
       memory->previous_runs += memory->statistics_of_this_run();
+      memory->roots_found.assign(memory->system.n_roots, 0);
       memory->time = t;
       memory->y    = y;
       memory->y_t  = y_t;

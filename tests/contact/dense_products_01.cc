@@ -1,8 +1,7 @@
 // Products for following the active set. Known:
-// - They equal Eigen's in all shapes: few columns or few terms, more rows than
-// a
-//   strip or fewer, blocks of a larger matrix. Sums of up to 100 terms of size
-//   one in another order agree to 100 roundings.
+// - They equal Eigen's in all shapes: few columns or few terms, more rows
+//   than a strip or fewer, blocks of a larger matrix. Sums of up to 100 terms
+//   of size one in another order agree to 100 roundings.
 // - What is around the block of the result is left alone.
 // - C_A^-1 is found whether it was factorised or followed from other nodes, to
 //   the rounding times the condition of 1e3.

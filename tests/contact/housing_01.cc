@@ -11,10 +11,10 @@
 // - The fall-back (a convex quadratic programme, solved one node at a time)
 //   gives the same pressures, to 1e-6: the places of the nodes are rounded to
 //   1e-8 of what the ring yields under the smallest load.
-// - Lame: a pin too large for the bore, no force. In a wide gap p = delta /
-// u_a;
-//   in a narrow one the rim is pressed, too, all around, with pressures from
-//   two linear equations; in between the rim does not touch until p u_b = g.
+// - Lame: a pin too large for the bore, no force. In a wide gap p is
+//   delta / u_a; in a narrow one the rim is pressed, too, all around, with
+//   pressures from two linear equations; in between the rim does not touch
+//   until p u_b = g.
 //   The mesh's own error is below 1e-4.
 // - Hertz: a thick ring with a small bore in a housing of 1.2 times its radius,
 //   1/R* = 1/R_o - 1/R_h, a^2 = 4 F R*/(pi E*), p_0 = 2 F/(pi a) per length.
@@ -23,8 +23,7 @@
 //   surface (1 - 2 nu). Allowed is 1 % for a = R_o/10; the nodes are 0.13 a
 //   apart.
 // - A round ring looks the same from all sides, however it is kept from
-// turning:
-//   pin and ring are displaced along the force, to a node distance.
+//   turning: pin and ring are displaced along the force, to a node distance.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q.h>

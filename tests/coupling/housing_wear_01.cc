@@ -2,8 +2,7 @@
 // housing. Known, for a ring that fits its housing, one with a gap as wide as
 // the clearance and one twenty times as wide:
 // - The derivative of the wear rates with respect to the depths of both
-// surfaces
-//   is what central differences give; what is left out of it, see
+//   surfaces is what central differences give; what is left out of it, see
 //   both_surfaces_01.
 // - Each surface loses what its law removes, to rounding; bushing and pin lose
 //   k_b and k_p times the same integral of pressure over area and distance.

@@ -1,7 +1,8 @@
 // Zeros that the integration does not leave at once. y' = 1, y(0) = 0, and a
 // root function that rises to zero at y = 1 and stays there until y = 2, like a
-// gap that closes to rounding only. Known: steps end at t = 1, where IDA finds
-// the first zero, and go on to t = 3 with y = t, which BDF integrates exactly.
+// gap that closes to rounding only. Known: IDA finds a zero at the end of the
+// first step beyond t = 1, at most 0.1 long, once, and goes on to t = 3 with
+// y = t, which BDF integrates exactly, to the roundings of some 100 steps.
 
 #include <tribody/multibody/ida_integrator.h>
 

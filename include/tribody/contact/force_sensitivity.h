@@ -23,7 +23,8 @@ namespace Tribody
      * positive semi-definite.
      *
      * The object keeps the inverse of the last active set: solutions with
-     * similar ones should follow each other.
+     * similar ones should follow each other. What roundings add up to on the
+     * way matters to the convergence of Newton's method only.
      */
     class ForceSensitivity
     {
@@ -44,12 +45,6 @@ namespace Tribody
       /// S on the nodes of the bore in contact of @p solution [N/m per m].
       Eigen::MatrixXd
       compute(const ContactSolution &solution);
-
-      /// Add @p factor times the derivative to @p sum (one row per bore node).
-      void
-      add_to(Eigen::MatrixXd       &sum,
-             const ContactSolution &solution,
-             const double           factor);
 
     private:
       template <int n_free>

@@ -44,17 +44,17 @@ namespace Tribody
       /// Add to @p H what the force @p lambda at node @p i does to the
       /// derivative of M^T lambda by the places: the gap's second derivative.
       static void
-      subtract_curvature(Square            &H,
-                         const PinGap      &gap,
-                         const Eigen::Index i,
-                         const Eigen::Index n_bore,
-                         const double       lambda)
+      add_curvature(Square            &H,
+                    const PinGap      &gap,
+                    const Eigen::Index i,
+                    const Eigen::Index n_bore,
+                    const double       lambda)
       {
-        const int             first = first_column(i, n_bore);
-        const Eigen::Vector2d m     = gap.directions.col(i);
-        const double          sign  = first == 0 ? lambda : -lambda;
+        const int             first        = first_column(i, n_bore);
+        const Eigen::Vector2d m            = gap.directions.col(i);
+        const double          signed_force = first == 0 ? lambda : -lambda;
         H.template block<2, 2>(first, first) -=
-          sign / gap.distances[i] *
+          signed_force / gap.distances[i] *
           (Eigen::Matrix2d::Identity() - m * m.transpose());
       }
 
@@ -64,7 +64,7 @@ namespace Tribody
       are_held(const ActiveSet &active, const Eigen::Index n_bore)
       {
         if (n_free == 2)
-          return active.size() != 1;
+          return active.size() > 1;
         const auto rim = std::lower_bound(active.begin(), active.end(), n_bore);
         return rim - active.begin() > 1 && active.end() - rim > 1;
       }

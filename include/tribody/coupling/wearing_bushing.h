@@ -235,7 +235,8 @@ namespace Tribody
       make_support() const;
 
       /// The largest clearance that surfaces worn by @p depth have when they
-      /// turn: where both are deepest at the same place [m].
+      /// turn: where both are deepest at the same place [m]. The gap of a
+      /// housing does not count.
       double
       largest_clearance(const Eigen::VectorXd &depth) const;
 

@@ -80,7 +80,7 @@ namespace Tribody
 
     /**
      * Hold a free ring by three keys: springs along the rim, at three of the
-     * nodes @p rim, 120 degrees apart as nearly as the mesh has it. They add to
+     * nodes @p rim, a third of these apart. They add to
      * the stiffness @p matrix what it takes to be regular, and no more: under
      * forces in equilibrium they carry nothing; a moment they take by forces
      * along the rim that add up to zero. So the ring deforms as if it were

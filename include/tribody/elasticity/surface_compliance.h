@@ -30,10 +30,14 @@ namespace Tribody
     /**
      * The compliance without its rounding errors: a compliance is symmetric.
      * @param body for the message.
+     * @param largest_asymmetry that may be rounding, or what an iterative
+     *   solver leaves, as a fraction of the largest entry.
      * @throws ExcRun if more than rounding is missing to symmetry.
      */
     Eigen::MatrixXd
-    symmetric_part(const Eigen::MatrixXd &compliance, const std::string &body);
+    symmetric_part(const Eigen::MatrixXd &compliance,
+                   const std::string     &body,
+                   const double           largest_asymmetry = 1e-10);
   } // namespace Elasticity
 } // namespace Tribody
 

@@ -17,8 +17,10 @@ namespace Tribody
     class StageMatrix
     {
     public:
-      /// @param derivative dW/dy [1 per cycle]; nodes with a zero on its
-      ///   diagonal have a zero row and column. @param gamma [cycles].
+      /// @param derivative dW/dy [1 per cycle]. A node with a zero on its
+      ///   diagonal does not wear: its row is zero, and what is solved for is
+      ///   zero there, so that its column does not matter.
+      /// @param gamma [cycles].
       void
       compute(const Eigen::MatrixXd &derivative, const double gamma);
 
