@@ -1,5 +1,7 @@
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
 
@@ -8,6 +10,7 @@
 #include <exception>
 #include <iostream>
 #include <thread>
+#include <utility>
 
 namespace Tribody
 {
@@ -50,6 +53,25 @@ namespace Tribody
         catch (const std::exception &exception)
           {
             return exception.what();
+          }
+      }
+
+
+
+      bool
+      is_about_input(const std::exception_ptr &failure)
+      {
+        try
+          {
+            std::rethrow_exception(failure);
+          }
+        catch (const ExcInput &)
+          {
+            return true;
+          }
+        catch (...)
+          {
+            return false;
           }
       }
 
@@ -116,12 +138,14 @@ namespace Tribody
       if (first_failed == n)
         return;
 
-      const std::string own =
-        first_failed == this_rank(communicator) ? describe(failure) : "";
-      const std::string message =
+      std::pair<bool, std::string> own;
+      if (first_failed == this_rank(communicator))
+        own = {is_about_input(failure), describe(failure)};
+      const auto [about_input, message] =
         dealii::Utilities::MPI::broadcast(communicator, own, first_failed);
       if (failure)
         std::rethrow_exception(failure);
+      AssertThrow(!about_input, ExcInput(message));
       throw ExcRun(message);
     }
 

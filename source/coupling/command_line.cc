@@ -120,7 +120,8 @@ namespace Tribody
       if (options.count("output") > 0)
         parameters.output_directory = options["output"].as<std::string>();
 
-      Output::OutputDirectory directory(parameters.output_directory);
+      Output::OutputDirectory directory(parameters.output_directory,
+                                        communicator);
       console.out() << parameters.title << std::endl;
       WearSimulation simulation(parameters, console, communicator);
       simulation.print_setup();

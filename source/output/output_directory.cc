@@ -1,8 +1,10 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <boost/interprocess/exceptions.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
 #include <tribody/output/output_directory.h>
 
 #include <filesystem>
@@ -25,31 +27,46 @@ namespace Tribody
       {
         return fs::exists(directory) && !fs::is_empty(directory);
       }
+
+
+
+      /// @throws ExcInput if a run must not write to @p path.
+      void
+      check(const std::string &path)
+      {
+        AssertThrow(!path.empty(),
+                    ExcInput("The output directory has no name."));
+        AssertThrow(!fs::exists(path) || fs::is_directory(path),
+                    ExcInput("The output directory '" + path +
+                             "' is a file. Choose another one with --output."));
+        AssertThrow(!has_content(path) || fs::exists(fs::path(path) / mark),
+                    ExcInput("The output directory '" + path +
+                             "' contains files that no run of Tribody has "
+                             "written. Choose another one with --output."));
+        AssertThrow(
+          !fs::exists(path) || !fs::equivalent(path, fs::current_path()),
+          ExcInput("The output directory '" + path +
+                   "' is the current one, which cannot be moved aside. "
+                   "Choose another one with --output."));
+        AssertThrow(!has_content(path) || boost::interprocess::file_lock(
+                                            (fs::path(path) / mark).c_str())
+                                            .try_lock(),
+                    ExcInput(
+                      "Another run is writing to the output directory '" +
+                      path + "'. Choose another one with --output."));
+      }
     } // namespace
 
 
 
-    OutputDirectory::OutputDirectory(const std::string &path)
+    OutputDirectory::OutputDirectory(const std::string &path,
+                                     const MPI_Comm    &communicator)
       : directory(path)
     {
-      AssertThrow(!path.empty(), ExcInput("The output directory has no name."));
-      AssertThrow(!fs::exists(path) || fs::is_directory(path),
-                  ExcInput("The output directory '" + path +
-                           "' is a file. Choose another one with --output."));
-      AssertThrow(!has_content(path) || fs::exists(fs::path(path) / mark),
-                  ExcInput("The output directory '" + path +
-                           "' contains files that no run of Tribody has "
-                           "written. Choose another one with --output."));
-      AssertThrow(!fs::exists(path) ||
-                    !fs::equivalent(path, fs::current_path()),
-                  ExcInput("The output directory '" + path +
-                           "' is the current one, which cannot be moved aside. "
-                           "Choose another one with --output."));
-      AssertThrow(!has_content(path) || boost::interprocess::file_lock(
-                                          (fs::path(path) / mark).c_str())
-                                          .try_lock(),
-                  ExcInput("Another run is writing to the output directory '" +
-                           path + "'. Choose another one with --output."));
+      Ranks::run_together(communicator, [&]() {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+          check(path);
+      });
     }
 
 

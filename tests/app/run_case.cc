@@ -11,6 +11,7 @@
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
 #include <tribody/coupling/case_parameters.h>
 #include <tribody/coupling/wear_simulation.h>
 #include <tribody/output/output_directory.h>
@@ -212,14 +213,13 @@ main(int argc, char **argv)
       Console                  console(is_first_rank);
       Coupling::CaseParameters parameters = Coupling::read_case(argv[1], {});
       Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-      Output::OutputDirectory  output(directory);
+      Output::OutputDirectory  output(directory, MPI_COMM_WORLD);
       simulation.run(output);
     }
   catch (const dealii::ExceptionBase &exception)
     {
       std::cout.rdbuf(to_screen);
-      exception.print_info(std::cerr);
-      return 1;
+      return Ranks::fail(message_of(exception), 1, MPI_COMM_WORLD);
     }
   std::cout.rdbuf(to_screen);
   if (!is_first_rank)

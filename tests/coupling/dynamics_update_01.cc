@@ -58,7 +58,7 @@ namespace
     {
       Console                  console(true);
       Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-      Output::OutputDirectory  output(directory);
+      Output::OutputDirectory  output(directory, MPI_COMM_SELF);
       simulation.run(output);
     }
     std::cout.rdbuf(to_screen);

@@ -1,6 +1,8 @@
 // OutputDirectory: results of different runs never mix, and nothing of the
 // user's is touched. What must happen is stated in the class's documentation.
 
+#include <deal.II/base/mpi.h>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/table_writer.h>
 #include <tribody/output/output_directory.h>
@@ -17,7 +19,7 @@ look_at(const std::string &path)
 {
   try
     {
-      const Output::OutputDirectory directory(path);
+      const Output::OutputDirectory directory(path, MPI_COMM_SELF);
       std::cout << path << ": usable" << std::endl;
     }
   catch (const ExcInput &exception)
@@ -27,8 +29,10 @@ look_at(const std::string &path)
 }
 
 int
-main()
+main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
   fs::remove_all("results");
   fs::remove_all("results.1");
   fs::remove_all("results.2");
@@ -37,7 +41,7 @@ main()
 
   for (unsigned int run = 0; run < 3; ++run)
     {
-      Output::OutputDirectory directory("results");
+      Output::OutputDirectory directory("results", MPI_COMM_SELF);
       std::cout << "exists before create: " << fs::exists("results")
                 << ", message: '" << directory.create() << "'" << std::endl;
       std::ofstream(directory.file("parameters.prm")) << run << std::endl;
@@ -68,7 +72,8 @@ main()
   // A parent that is a file: the disk refuses.
   try
     {
-      Output::OutputDirectory directory("mine/thesis.tex/results");
+      Output::OutputDirectory directory("mine/thesis.tex/results",
+                                        MPI_COMM_SELF);
       directory.create();
       std::cout << "CREATED" << std::endl;
     }

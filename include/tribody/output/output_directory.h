@@ -3,6 +3,7 @@
 
 #include <boost/interprocess/sync/file_lock.hpp>
 
+#include <mpi.h>
 #include <string>
 
 namespace Tribody
@@ -21,13 +22,16 @@ namespace Tribody
     public:
       /**
        * Look, but do not touch: nothing changes on the disk before create().
-       * @throws ExcInput if @p path is not empty and not the output of a run,
-       *   is being written by another run, or is a file.
+       * Only the first rank looks, so that no rank that is late takes what the
+       * first one has created meanwhile for another run's.
+       * @param communicator of the ranks that make it together.
+       * @throws ExcInput, on all ranks, if @p path is not empty and not the
+       *   output of a run, is being written by another run, or is a file.
        */
-      explicit OutputDirectory(const std::string &path);
+      OutputDirectory(const std::string &path, const MPI_Comm &communicator);
 
       /**
-       * Make the directory, moving earlier results aside.
+       * Make the directory, moving earlier results aside. For one rank only.
        * @return a message for the user if something was moved, else "".
        * @throws ExcRun if the disk refuses.
        */
