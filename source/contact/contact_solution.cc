@@ -166,6 +166,32 @@ namespace Tribody
         rim.ring_place      = values.segment<2>(5 * n);
         rim.force           = values.segment<2>(5 * n + 2);
       }
+
+
+
+      /// @tparam Surface ContactSolution for the bore, or RimContact.
+      template <typename Surface>
+      void
+      extrapolate_forces(const Surface &before,
+                         const Surface &last,
+                         Surface       &next)
+      {
+        // Of what is left of a gap if its power 2/3 halves.
+        const double half = std::pow(0.5, 1.5);
+        next.nodal_force.setZero(last.nodal_force.size());
+        for (Eigen::Index i = 0; i < last.nodal_force.size(); ++i)
+          {
+            const double square = 2. * std::pow(last.nodal_force[i], 2) -
+                                  std::pow(before.nodal_force[i], 2);
+            const bool enters = last.nodal_force[i] == 0. &&
+                                before.nodal_force[i] == 0. &&
+                                last.gap[i] < half * before.gap[i];
+            if (square > 0.)
+              next.nodal_force[i] = std::sqrt(square);
+            if (square > 0. || enters)
+              next.active_set.push_back(i);
+          }
+      }
     } // namespace
 
 
@@ -187,6 +213,21 @@ namespace Tribody
     {
       if (!take_next(solution.rim, one_by_one) || !one_by_one)
         take_next(solution, one_by_one);
+    }
+
+
+
+    ContactSolution
+    extrapolate(const ContactSolution &before, const ContactSolution &last)
+    {
+      if (before.active_set.empty())
+        return last;
+      ContactSolution next;
+      next.pin_centre     = 2. * last.pin_centre - before.pin_centre;
+      next.rim.ring_place = 2. * last.rim.ring_place - before.rim.ring_place;
+      extrapolate_forces(before, last, next);
+      extrapolate_forces(before.rim, last.rim, next.rim);
+      return next;
     }
 
 

@@ -136,7 +136,7 @@ namespace Tribody
       Iterate iterate;
       iterate.pin_centre  = pin_centre;
       iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
-      evaluate_gap(iterate, Rows::near);
+      evaluate_gap(iterate, Rows::contact_and_near);
       if (warm_start != nullptr)
         {
           iterate.active_set = warm_start->active_set;
@@ -264,7 +264,7 @@ namespace Tribody
                 iterate.active_set.push_back(i);
             }
         }
-      evaluate_gap(iterate, Rows::near);
+      evaluate_gap(iterate, Rows::contact_and_near);
       return iterate;
     }
 
@@ -289,6 +289,8 @@ namespace Tribody
                                  ? std::numeric_limits<double>::max()
                                  : -0.1 * iterate.pin.gap.minCoeff();
       std::vector<Arc> columns, rows_of_gap;
+      if (rows != Rows::near_contact)
+        iterate.yielding.setZero(n_nodes());
       for (const Eigen::Index i : iterate.active_set)
         append(i, columns);
       auto held = iterate.active_set.begin();
@@ -297,23 +299,25 @@ namespace Tribody
           const bool is_held = held != iterate.active_set.end() && *held == i;
           if (is_held)
             ++held;
-          if (is_held || iterate.pin.gap[i] < limit)
+          else
+            iterate.yielding[i] = 0.;
+          if (is_held ? rows != Rows::near_contact : iterate.pin.gap[i] < limit)
             append(i, rows_of_gap);
         }
 
-      iterate.gap.setZero(n_nodes());
       for (const Arc &row : rows_of_gap)
         for (const Arc &column : columns)
           add_product(compliance.block(
                         row.begin, column.begin, row.length, column.length),
                       iterate.nodal_force.segment(column.begin, column.length),
-                      iterate.gap.segment(row.begin, row.length));
+                      iterate.yielding.segment(row.begin, row.length));
       // A distance is known to a few roundings only; under forces so small
       // that the bore yields less than that, this is all there is.
       iterate.gap_tolerance =
         std::max(8. * std::numeric_limits<double>::epsilon() * pin_radius,
-                 parameters.tolerance * iterate.gap.lpNorm<Eigen::Infinity>());
-      iterate.gap += iterate.pin.gap;
+                 parameters.tolerance *
+                   iterate.yielding.lpNorm<Eigen::Infinity>());
+      iterate.gap = iterate.yielding + iterate.pin.gap;
     }
 
 
@@ -335,7 +339,7 @@ namespace Tribody
           if (!iterate.nodal_force.allFinite() || !is_in_place(iterate))
             return failure(report, "the pin left the bore");
 
-          evaluate_gap(iterate, Rows::near);
+          evaluate_gap(iterate, Rows::near_contact);
           report.residual =
             std::max(relative_gap(iterate), imbalance(force, iterate));
 
@@ -349,6 +353,8 @@ namespace Tribody
               report.residual <= parameters.tolerance)
             {
               evaluate_gap(iterate, Rows::all);
+              report.residual =
+                std::max(report.residual, relative_gap(iterate));
               active = next_active_set(iterate);
             }
           if (active != iterate.active_set)
@@ -494,8 +500,11 @@ namespace Tribody
       // only; what is missing is far less than a rounding of the pin's place.
       const Vector balance =
         both_forces - geometric * step - m.transpose() * forces;
-      forces += y * (balancing * balance);
+      const Vector correction = balancing * balance;
+      forces += y * correction;
       iterate.nodal_force(active) = forces;
+      iterate.yielding(active) +=
+        m * (step + correction) - right_hand_sides.col(n_free);
       return step;
     }
 
@@ -516,18 +525,18 @@ namespace Tribody
           if (!active.empty())
             {
               active_compliance.update(compliance, active, iterate.is_warm);
-              const Eigen::VectorXd change =
-                active_compliance.solve(iterate.gap(active));
-              iterate.nodal_force(active) -= change;
+              const Eigen::VectorXd gap = iterate.gap(active);
+              iterate.nodal_force(active) -= active_compliance.solve(gap);
+              iterate.yielding(active) -= gap;
             }
-          evaluate_gap(iterate, Rows::near);
-          report.residual = relative_gap(iterate);
-          ActiveSet next  = next_active_set(iterate);
+          evaluate_gap(iterate, Rows::near_contact);
+          ActiveSet next = next_active_set(iterate);
           if (next == active)
             {
               evaluate_gap(iterate, Rows::all);
               next = next_active_set(iterate);
             }
+          report.residual = relative_gap(iterate);
           if (next != active)
             {
               if (!visited.insert(active).second)
@@ -591,10 +600,11 @@ namespace Tribody
             ++kept;
           if (kept == next.end() || *kept != i)
             {
-              iterate.gap -= iterate.nodal_force[i] * compliance.col(i);
+              iterate.yielding -= iterate.nodal_force[i] * compliance.col(i);
               iterate.nodal_force[i] = 0.;
             }
         }
+      iterate.gap        = iterate.yielding + iterate.pin.gap;
       iterate.active_set = std::move(next);
     }
 

@@ -50,6 +50,12 @@ namespace Tribody
 
 
 
+      /// Up to this many terms the result is swept once for every four of them,
+      /// beyond it four columns at a time, for all terms of a panel.
+      constexpr Index max_few_terms = 8;
+
+
+
       /// Packs of rows that are worked on together: results that stay in the
       /// registers, and enough of them that none waits for the one before.
       constexpr Index
@@ -275,7 +281,9 @@ namespace Tribody
       AssertDimension(a.cols(), b.rows());
       AssertDimension(a.rows(), sum.rows());
       AssertDimension(b.cols(), sum.cols());
-      const auto add = a.cols() < b.cols() ? add_few_terms : add_few_columns;
+      const auto add = a.cols() < b.cols() && a.cols() <= max_few_terms
+                         ? add_few_terms
+                         : add_few_columns;
       add(a.rows(),
           b.cols(),
           a.cols(),

@@ -160,8 +160,15 @@ namespace Tribody
         for (Eigen::Index j = own.begin; j < own.end; ++j)
           {
             const Contact::ContactSolution *start = nullptr;
+            Contact::ContactSolution        extrapolated;
             if (has_similar_samples)
               start = &similar->samples[j];
+            else if (j > own.begin + 1)
+              {
+                extrapolated = Contact::extrapolate(contact.samples[j - 2],
+                                                    contact.samples[j - 1]);
+                start        = &extrapolated;
+              }
             else if (j > own.begin)
               start = &contact.samples[j - 1];
             if (pin)

@@ -78,6 +78,20 @@ namespace Tribody
     void
     take_next_active_set(ContactSolution &solution, const bool one_by_one);
 
+    /**
+     * Places, forces and nodes in contact that @p last is followed by if the
+     * contact goes on as it went from the solution @p before to it: what to
+     * start the next one of a sequence in equal steps from. Nothing else of the
+     * result is set. If @p before touches nothing, @p last.
+     *
+     * Towards the end of a contact the pressure falls like the root of the
+     * distance and beyond it the gap opens like its power 3/2. So the squares
+     * of the forces and the powers 2/3 of the gaps are extrapolated: an end
+     * that moves steadily is found exactly.
+     */
+    ContactSolution
+    extrapolate(const ContactSolution &before, const ContactSolution &last);
+
     /// Replace @p solution by that of rank @p root of @p communicator, on whose
     /// ranks all must know the same bore.
     void

@@ -142,7 +142,9 @@ namespace Tribody
         ActiveSet       active_set;
         /// Rigid gap at these places.
         PinGap pin;
-        /// With the elastic displacement.
+        /// @f$ C \lambda @f$, how far the bore and the rim yield; 0 far away.
+        Eigen::VectorXd yielding;
+        /// The sum of both.
         Eigen::VectorXd gap;
         /// Gaps above minus this count as not negative [m].
         double gap_tolerance;
@@ -164,11 +166,13 @@ namespace Tribody
       first_iterate(const Eigen::Vector2d &force,
                     const ContactSolution *warm_start) const;
 
-      /// Which gaps to compute with their elastic part: all of them, or those
-      /// of nodes in contact and near it.
+      /// For which nodes to compute how far they yield: all of them; those in
+      /// contact and near it; those near it only, as what a step adds to the
+      /// yielding of nodes in contact is what it was computed from.
       enum class Rows
       {
-        near,
+        near_contact,
+        contact_and_near,
         all
       };
 
