@@ -145,7 +145,8 @@ namespace Tribody
         dealii::Utilities::MPI::broadcast(communicator, own, first_failed);
       if (failure)
         std::rethrow_exception(failure);
-      AssertThrow(!about_input, ExcInput(message));
+      if (about_input)
+        throw ExcInput(message);
       throw ExcRun(message);
     }
 

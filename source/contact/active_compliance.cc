@@ -24,14 +24,6 @@ namespace Tribody
         add_product(matrix, few, product);
         return product;
       }
-
-      /// Add @p sign times @f$ Z^T Z @f$ for a Z of few rows.
-      void
-      add_square(const double sign, const Eigen::MatrixXd &Z, Block matrix)
-      {
-        const Eigen::MatrixXd few = sign * Z.transpose();
-        add_product(few, Z, matrix);
-      }
     } // namespace
 
 
@@ -68,11 +60,7 @@ namespace Tribody
       if (!has_inverse)
         invert();
       active_set = nodes;
-      std::vector<Eigen::Index> leaving_places;
-      for (const Eigen::Index node : leaving)
-        leaving_places.push_back(place[node]);
-      remove(leaving_places);
-      append(compliance, entering);
+      exchange(compliance, leaving, entering);
       was_changed = true;
     }
 
@@ -120,63 +108,71 @@ namespace Tribody
 
 
     void
-    ActiveCompliance::remove(const std::vector<Eigen::Index> &places)
+    ActiveCompliance::move_to_end(const ActiveSet &nodes)
     {
-      if (places.empty())
-        return;
-      // Move what leaves to the end, from behind, so that no place that is
-      // still to be read moves.
-      std::vector<Eigen::Index> descending = places;
-      std::sort(descending.begin(), descending.end(), std::greater<>());
-      const Eigen::Index m    = order.size();
-      Eigen::Index       last = m;
-      for (const Eigen::Index k : descending)
+      const Eigen::Index m = order.size();
+      auto               X = inverse.topLeftCorner(m, m);
+      // From behind, so that none of them is moved twice.
+      std::vector<Eigen::Index> places;
+      for (const Eigen::Index node : nodes)
+        places.push_back(place[node]);
+      std::sort(places.begin(), places.end(), std::greater<>());
+      Eigen::Index last = m;
+      for (const Eigen::Index k : places)
         {
           --last;
-          place[order[k]] = -1;
           if (k == last)
             continue;
-          auto X = inverse.topLeftCorner(m, m);
           X.row(k).swap(X.row(last));
           X.col(k).swap(X.col(last));
           std::swap(order[k], order[last]);
           place[order[k]] = k;
         }
-      const Eigen::Index    n_leaving = places.size();
-      const Eigen::MatrixXd X_KR      = inverse.block(last, 0, n_leaving, last);
-      const Eigen::MatrixXd Z =
-        Eigen::LLT<Eigen::MatrixXd>(
-          inverse.block(last, last, n_leaving, n_leaving))
-          .matrixL()
-          .solve(X_KR);
-      add_square(-1., Z, inverse.topLeftCorner(last, last));
-      order.resize(last);
     }
 
 
 
     void
-    ActiveCompliance::append(const Eigen::MatrixXd &compliance,
-                             const ActiveSet       &nodes)
+    ActiveCompliance::exchange(const Eigen::MatrixXd &compliance,
+                               const ActiveSet       &leaving,
+                               const ActiveSet       &entering)
     {
-      if (nodes.empty())
-        return;
-      const Eigen::Index m = order.size();
-      const Eigen::Index k = nodes.size();
+      move_to_end(leaving);
+      const Eigen::Index n_leaving  = leaving.size();
+      const Eigen::Index n_entering = entering.size();
+      const Eigen::Index n_kept     = order.size() - leaving.size();
+      for (const Eigen::Index node : leaving)
+        place[node] = -1;
+      order.resize(n_kept);
 
-      auto                              X = inverse.topLeftCorner(m, m);
-      const Eigen::MatrixXd             B = compliance(order, nodes);
-      const Eigen::MatrixXd             Y = multiply(X, B);
-      const Eigen::LLT<Eigen::MatrixXd> S(compliance(nodes, nodes) -
+      // Without those that leave, X is X - Z_K^T Z_K.
+      auto                  X = inverse.topLeftCorner(n_kept, n_kept);
+      const Eigen::MatrixXd Z_K =
+        Eigen::LLT<Eigen::MatrixXd>(
+          inverse.block(n_kept, n_kept, n_leaving, n_leaving))
+          .matrixL()
+          .solve(inverse.block(n_kept, 0, n_leaving, n_kept));
+      const Eigen::MatrixXd B = compliance(order, entering);
+      Eigen::MatrixXd       Y = multiply(X, B);
+      Y -= Z_K.transpose() * (Z_K * B);
+      const Eigen::LLT<Eigen::MatrixXd> S(compliance(entering, entering) -
                                           B.transpose() * Y);
-      const Eigen::MatrixXd             Z = S.matrixL().solve(Y.transpose());
-      add_square(1., Z, X);
+
+      Eigen::MatrixXd Z(n_leaving + n_entering, n_kept);
+      Z.topRows(n_leaving)     = Z_K;
+      Z.bottomRows(n_entering) = S.matrixL().solve(Y.transpose());
+      Eigen::MatrixXd signed_Z = Z.transpose();
+      signed_Z.leftCols(n_leaving) *= -1.;
+      add_product(signed_Z, Z, X);
+
       const Eigen::MatrixXd inverse_of_S =
-        S.solve(Eigen::MatrixXd::Identity(k, k));
-      inverse.block(m, m, k, k)           = inverse_of_S;
-      inverse.block(0, m, m, k).noalias() = -Y * inverse_of_S;
-      inverse.block(m, 0, k, m) = inverse.block(0, m, m, k).transpose();
-      for (const Eigen::Index node : nodes)
+        S.solve(Eigen::MatrixXd::Identity(n_entering, n_entering));
+      inverse.block(n_kept, n_kept, n_entering, n_entering) = inverse_of_S;
+      inverse.block(0, n_kept, n_kept, n_entering).noalias() =
+        -Y * inverse_of_S;
+      inverse.block(n_kept, 0, n_entering, n_kept) =
+        inverse.block(0, n_kept, n_kept, n_entering).transpose();
+      for (const Eigen::Index node : entering)
         {
           place[node] = order.size();
           order.push_back(node);

@@ -19,6 +19,9 @@ namespace Tribody
   {
     namespace
     {
+      /// What changes by more than this part of its nodes jumps.
+      constexpr double largest_change = 0.2;
+
       /// From @p direction counter-clockwise to @p other, in [0, 2 pi).
       double
       turn(const Eigen::Vector2d &direction, const Eigen::Vector2d &other)
@@ -169,28 +172,41 @@ namespace Tribody
 
 
 
-      /// @tparam Surface ContactSolution for the bore, or RimContact.
+      /// What the surface of @p next, which is the bore's ContactSolution or
+      /// the RimContact, takes from those of the two solutions before.
+      /// @return whether it differs little from @p last.
       template <typename Surface>
-      void
+      bool
       extrapolate_forces(const Surface &before,
                          const Surface &last,
                          Surface       &next)
       {
+        const Eigen::Index n = last.nodal_force.size();
+        AssertDimension(before.gap.size(), n);
+        AssertDimension(last.gap.size(), n);
+        next.nodal_force.setZero(n);
+        if (before.active_set.empty() || last.active_set.empty())
+          return before.active_set.empty() && last.active_set.empty();
+
+        const double growth = last.nodal_force.sum() / before.nodal_force.sum();
         // Of what is left of a gap if its power 2/3 halves.
-        const double half = std::pow(0.5, 1.5);
-        next.nodal_force.setZero(last.nodal_force.size());
-        for (Eigen::Index i = 0; i < last.nodal_force.size(); ++i)
+        const double half      = std::pow(0.5, 1.5);
+        std::size_t  n_changes = 0;
+        for (Eigen::Index i = 0; i < n; ++i)
           {
-            const double square = 2. * std::pow(last.nodal_force[i], 2) -
-                                  std::pow(before.nodal_force[i], 2);
-            const bool enters = last.nodal_force[i] == 0. &&
-                                before.nodal_force[i] == 0. &&
-                                last.gap[i] < half * before.gap[i];
+            const double force  = last.nodal_force[i];
+            const double grown  = growth * before.nodal_force[i];
+            const double square = 2. * force * force - grown * grown;
+            const bool   enters =
+              force == 0. && grown == 0. && last.gap[i] < half * before.gap[i];
             if (square > 0.)
               next.nodal_force[i] = std::sqrt(square);
             if (square > 0. || enters)
               next.active_set.push_back(i);
+            if ((square > 0. || enters) != (force > 0.))
+              ++n_changes;
           }
+        return n_changes <= largest_change * last.active_set.size();
       }
     } // namespace
 
@@ -220,13 +236,12 @@ namespace Tribody
     ContactSolution
     extrapolate(const ContactSolution &before, const ContactSolution &last)
     {
-      if (before.active_set.empty())
-        return last;
       ContactSolution next;
       next.pin_centre     = 2. * last.pin_centre - before.pin_centre;
       next.rim.ring_place = 2. * last.rim.ring_place - before.rim.ring_place;
-      extrapolate_forces(before, last, next);
-      extrapolate_forces(before.rim, last.rim, next.rim);
+      if (!extrapolate_forces(before, last, next) ||
+          !extrapolate_forces(before.rim, last.rim, next.rim))
+        return last;
       return next;
     }
 

@@ -136,7 +136,7 @@ namespace Tribody
       Iterate iterate;
       iterate.pin_centre  = pin_centre;
       iterate.nodal_force = Eigen::VectorXd::Zero(surface.n_nodes());
-      evaluate_gap(iterate, Rows::contact_and_near);
+      evaluate_gap(iterate, Rows::near_contact);
       if (warm_start != nullptr)
         {
           iterate.active_set = warm_start->active_set;
@@ -264,7 +264,7 @@ namespace Tribody
                 iterate.active_set.push_back(i);
             }
         }
-      evaluate_gap(iterate, Rows::contact_and_near);
+      evaluate_gap(iterate, Rows::near_contact);
       return iterate;
     }
 
@@ -289,7 +289,7 @@ namespace Tribody
                                  ? std::numeric_limits<double>::max()
                                  : -0.1 * iterate.pin.gap.minCoeff();
       std::vector<Arc> columns, rows_of_gap;
-      if (rows != Rows::near_contact)
+      if (rows != Rows::beside_contact)
         iterate.yielding.setZero(n_nodes());
       for (const Eigen::Index i : iterate.active_set)
         append(i, columns);
@@ -301,7 +301,8 @@ namespace Tribody
             ++held;
           else
             iterate.yielding[i] = 0.;
-          if (is_held ? rows != Rows::near_contact : iterate.pin.gap[i] < limit)
+          if (is_held ? rows != Rows::beside_contact
+                      : iterate.pin.gap[i] < limit)
             append(i, rows_of_gap);
         }
 
@@ -339,7 +340,7 @@ namespace Tribody
           if (!iterate.nodal_force.allFinite() || !is_in_place(iterate))
             return failure(report, "the pin left the bore");
 
-          evaluate_gap(iterate, Rows::near_contact);
+          evaluate_gap(iterate, Rows::beside_contact);
           report.residual =
             std::max(relative_gap(iterate), imbalance(force, iterate));
 
@@ -529,7 +530,7 @@ namespace Tribody
               iterate.nodal_force(active) -= active_compliance.solve(gap);
               iterate.yielding(active) -= gap;
             }
-          evaluate_gap(iterate, Rows::near_contact);
+          evaluate_gap(iterate, Rows::beside_contact);
           ActiveSet next = next_active_set(iterate);
           if (next == active)
             {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace Tribody
 {
@@ -142,9 +143,11 @@ namespace Tribody
                                     parameters.contact_solver,
                                     elastic.housing());
 
-      // Neighbouring samples differ little, and the same sample on a similar
-      // bore differs less; but a cycle before may have had fewer samples: where
-      // the motion does not settle, several cycles are recorded as one.
+      // Samples are equally spaced, and follow from the two before with few
+      // nodes to change; the same sample on a similar bore differs less. But a
+      // cycle before may have had fewer samples: where the motion does not
+      // settle, several cycles are recorded as one. Each rank begins its own
+      // sequence.
       const Eigen::Index n_samples = cycle.normal_force.size();
       const bool         has_similar_samples =
         similar != nullptr &&
@@ -159,25 +162,22 @@ namespace Tribody
       Ranks::run_together(communicator, [&]() {
         for (Eigen::Index j = own.begin; j < own.end; ++j)
           {
-            const Contact::ContactSolution *start = nullptr;
-            Contact::ContactSolution        extrapolated;
+            std::optional<Contact::ContactSolution> start;
             if (has_similar_samples)
-              start = &similar->samples[j];
-            else if (j > own.begin + 1)
-              {
-                extrapolated = Contact::extrapolate(contact.samples[j - 2],
-                                                    contact.samples[j - 1]);
-                start        = &extrapolated;
-              }
+              start = similar->samples[j];
             else if (j > own.begin)
-              start = &contact.samples[j - 1];
+              start = Contact::extrapolate(
+                contact.samples[std::max(j - 2, own.begin)],
+                contact.samples[j - 1]);
             if (pin)
               solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
             Contact::ContactSolution &solution = contact.samples[j];
             const Eigen::Vector2d     force    = force_per_length(cycle, j);
-            solution                           = nodes == Nodes::held
-                                                   ? solver.solve_held(force, *start)
-                                                   : solver.solve_force_controlled(force, start);
+            solution =
+              nodes == Nodes::held
+                ? solver.solve_held(force, start.value())
+                : solver.solve_force_controlled(force,
+                                                start ? &*start : nullptr);
             AssertThrow(nodes == Nodes::held || solution.report.converged,
                         ExcRun(unsolved_contact(cycle, j, solution.report)));
 

@@ -64,8 +64,18 @@ namespace Tribody
       : directory(path)
     {
       Ranks::run_together(communicator, [&]() {
-        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-          check(path);
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+          return;
+        try
+          {
+            check(path);
+          }
+        catch (const fs::filesystem_error &error)
+          {
+            AssertThrow(false,
+                        ExcInput("Cannot look at the output directory '" +
+                                 path + "': " + error.code().message() + "."));
+          }
       });
     }
 

@@ -20,8 +20,9 @@ namespace Tribody
      * nodes N enter, with @f$ Y = X C_{AN} @f$ and
      * @f$ S = C_{NN} - C_{NA} Y @f$,
      * @f[ X \to \begin{pmatrix} X + Y S^{-1} Y^T & -Y S^{-1} \\
-     *                           -S^{-1} Y^T & S^{-1} \end{pmatrix}. @f]
-     * That costs some @f$4 m^2@f$ operations per node instead of the
+     *                           -S^{-1} Y^T & S^{-1} \end{pmatrix}, @f]
+     * both in one sweep over X. That costs some @f$4 m^2@f$ operations per node
+     * instead of the
      * @f$m^3/3@f$ of a new factor. The rounding errors of many changes add up;
      * iterations that correct what is left do not mind, and refresh() removes
      * them.
@@ -59,11 +60,16 @@ namespace Tribody
       void
       invert();
 
+      /// Let nodes leave the inverse and others enter it.
       void
-      remove(const std::vector<Eigen::Index> &places);
+      exchange(const Eigen::MatrixXd &compliance,
+               const ActiveSet       &leaving,
+               const ActiveSet       &entering);
 
+      /// Give @p nodes the last places in the inverse. The places that they had
+      /// are taken by those that were last.
       void
-      append(const Eigen::MatrixXd &compliance, const ActiveSet &nodes);
+      move_to_end(const ActiveSet &nodes);
 
       ActiveSet active_set;
 

@@ -79,15 +79,20 @@ namespace Tribody
     take_next_active_set(ContactSolution &solution, const bool one_by_one);
 
     /**
-     * Places, forces and nodes in contact that @p last is followed by if the
-     * contact goes on as it went from the solution @p before to it: what to
-     * start the next one of a sequence in equal steps from. Nothing else of the
-     * result is set. If @p before touches nothing, @p last.
+     * What to start the next contact of a sequence in equal steps from: places,
+     * shares of the force and nodes in contact if it goes on as it went from
+     * the solution @p before to @p last.
      *
      * Towards the end of a contact the pressure falls like the root of the
      * distance and beyond it the gap opens like its power 3/2. So the squares
-     * of the forces and the powers 2/3 of the gaps are extrapolated: an end
-     * that moves steadily is found exactly.
+     * of the nodes' shares of the force and the powers 2/3 of the gaps are
+     * extrapolated; as far as these laws hold, an end that moves steadily is
+     * found. Where the contact jumps there is nothing to extrapolate: if one of
+     * the two touches nothing, or more than a fifth of the nodes would change,
+     * the result is @p last.
+     *
+     * @pre Both come from a solver, for the same nodes.
+     * @return a start only: no pressures, gaps or report.
      */
     ContactSolution
     extrapolate(const ContactSolution &before, const ContactSolution &last);

@@ -44,8 +44,10 @@ namespace Tribody
      * conditions above (@cite hintermueller2002), with the second derivative
      * of the gap in its matrix: the contact force as a function of e is
      * differentiated exactly. Each iteration needs C of the nodes in
-     * contact, inverted: see ActiveCompliance. If an active set comes back, or
-     * after max_iterations, a ContactProgramme is solved instead, once
+     * contact, inverted: see ActiveCompliance. As long as nodes enter and
+     * leave, the gaps of those in contact are what a step leaves of them by its
+     * own equations; the true ones decide about the end. If an active set comes
+     * back, or after max_iterations, a ContactProgramme is solved instead, once
      * if the pin is fixed, else repeatedly, linearised about its last result.
      *
      * With a free ring in a Housing, the nodes of its rim are further ones, and
@@ -142,9 +144,10 @@ namespace Tribody
         ActiveSet       active_set;
         /// Rigid gap at these places.
         PinGap pin;
-        /// @f$ C \lambda @f$, how far the bore and the rim yield; 0 far away.
+        /// How far the surfaces yield, @f$ C \lambda @f$, where evaluate_gap()
+        /// was asked for it.
         Eigen::VectorXd yielding;
-        /// The sum of both.
+        /// Rigid gap and yielding.
         Eigen::VectorXd gap;
         /// Gaps above minus this count as not negative [m].
         double gap_tolerance;
@@ -166,13 +169,14 @@ namespace Tribody
       first_iterate(const Eigen::Vector2d &force,
                     const ContactSolution *warm_start) const;
 
-      /// For which nodes to compute how far they yield: all of them; those in
-      /// contact and near it; those near it only, as what a step adds to the
-      /// yielding of nodes in contact is what it was computed from.
+      /// Whose yielding to compute from the forces.
       enum class Rows
       {
+        /// Of nodes near the contact, but not in contact. That of those in
+        /// contact is kept by the step that changed the forces.
+        beside_contact,
+        /// Of nodes in contact and near it.
         near_contact,
-        contact_and_near,
         all
       };
 
