@@ -4,6 +4,7 @@
 //
 //   compliance_unworn  stiffness, its factor and the compliance of a round ring
 //   compliance_worn    the same of a worn one, all columns
+//   hierarchy          what many nodes in contact are solved with, prepared
 //   force_cold         one force of 100 N, without a start
 //   force_warm         per sample of a cycle of 200 that turns once around with
 //                      a force of 50 to 100 N, each started from the two before
@@ -76,14 +77,17 @@ namespace
     std::unique_ptr<Elasticity::BushingElasticity> elasticity;
     BoreSurface                                    surface;
     Elasticity::RingSymmetry                       symmetry;
-    Eigen::MatrixXd                                compliance;
+    Contact::Compliance                            compliance;
   };
 
   Joint &
   round_joint(const unsigned int n_nodes)
   {
     static std::map<unsigned int, Joint> joints;
-    return joints.try_emplace(n_nodes, n_nodes, 0.).first->second;
+    Joint &joint = joints.try_emplace(n_nodes, n_nodes, 0.).first->second;
+    // Prepared once for all contacts: see hierarchy.
+    joint.compliance.hierarchy();
+    return joint;
   }
 
   Eigen::Vector2d
@@ -106,6 +110,15 @@ namespace
     Joint joint(state.range(0), depth);
     for (auto _ : state)
       joint.compute_compliance();
+  }
+
+  void
+  hierarchy(benchmark::State &state)
+  {
+    const Joint &joint = round_joint(state.range(0));
+    for (auto _ : state)
+      benchmark::DoNotOptimize(
+        Contact::HierarchicalCompliance(joint.compliance.matrix()));
   }
 
   void
@@ -210,7 +223,8 @@ namespace
     write(joint.surface.positions.data(), joint.surface.positions.size());
     write(joint.surface.normals.data(), joint.surface.normals.size());
     write(joint.surface.weights.data(), joint.surface.weights.size());
-    write(joint.compliance.data(), joint.compliance.size());
+    const Eigen::MatrixXd &C = joint.compliance.matrix();
+    write(C.data(), C.size());
   }
 
   void
@@ -224,6 +238,7 @@ namespace
 
 BENCHMARK_CAPTURE(compliance, unworn, 0.)->Apply(bore_nodes);
 BENCHMARK_CAPTURE(compliance, worn, 0.3e-3)->Apply(bore_nodes);
+BENCHMARK(hierarchy)->Apply(bore_nodes);
 BENCHMARK(force_cold)->Apply(bore_nodes);
 BENCHMARK(force_warm)->Apply(bore_nodes);
 BENCHMARK_CAPTURE(position, cold, false)->Apply(bore_nodes);

@@ -16,25 +16,26 @@ namespace Tribody
       /// Following this part of the nodes costs as much as a new inverse.
       constexpr double largest_change = 0.3;
 
-      Eigen::MatrixXd
-      multiply(const ConstBlock &matrix, const Eigen::MatrixXd &few)
-      {
-        Eigen::MatrixXd product =
-          Eigen::MatrixXd::Zero(matrix.rows(), few.cols());
-        add_product(matrix, few, product);
-        return product;
-      }
+      /// From so many nodes on it takes longer to follow them.
+      constexpr std::size_t n_hierarchical = 400;
     } // namespace
 
 
 
     void
-    ActiveCompliance::update(const Eigen::MatrixXd &compliance,
-                             const ActiveSet       &nodes,
-                             const bool             expect_small_changes)
+    ActiveCompliance::update(const ActiveSet &nodes,
+                             const bool       expect_small_changes)
     {
       if (nodes == active_set)
         return;
+
+      const bool are_many = nodes.size() >= n_hierarchical;
+      if (are_many && compliance.hierarchy().restrict_to(nodes, restriction))
+        {
+          active_set = nodes;
+          form       = Form::hierarchy;
+          return;
+        }
 
       ActiveSet entering, leaving;
       std::set_difference(nodes.begin(),
@@ -48,41 +49,41 @@ namespace Tribody
                           nodes.end(),
                           std::back_inserter(leaving));
       const bool is_small_change =
-        expect_small_changes &&
+        expect_small_changes && !are_many && form != Form::hierarchy &&
         entering.size() + leaving.size() <= largest_change * nodes.size();
       if (!is_small_change)
         {
           active_set = nodes;
-          factorise(compliance);
+          factorise();
           return;
         }
 
-      if (!has_inverse)
+      if (form != Form::inverse)
         invert();
       active_set = nodes;
-      exchange(compliance, leaving, entering);
+      exchange(leaving, entering);
       was_changed = true;
     }
 
 
 
     bool
-    ActiveCompliance::refresh(const Eigen::MatrixXd &compliance)
+    ActiveCompliance::refresh()
     {
-      const bool is_different = was_changed;
+      const bool is_different = form == Form::hierarchy || was_changed;
       if (is_different)
-        factorise(compliance);
+        factorise();
       return is_different;
     }
 
 
 
     void
-    ActiveCompliance::factorise(const Eigen::MatrixXd &compliance)
+    ActiveCompliance::factorise()
     {
-      factor.compute(compliance(active_set, active_set));
-      place.resize(compliance.rows());
-      has_inverse = false;
+      factor.compute(compliance.matrix()(active_set, active_set));
+      place.resize(compliance.matrix().rows());
+      form        = Form::factor;
       was_changed = false;
     }
 
@@ -92,9 +93,10 @@ namespace Tribody
     ActiveCompliance::invert()
     {
       const Eigen::Index m = active_set.size();
-      const Eigen::Index n = place.size();
       // With room for every node that may still enter.
-      if (inverse.rows() != n)
+      const Eigen::Index n =
+        std::max(m, std::min<Eigen::Index>(place.size(), n_hierarchical));
+      if (inverse.rows() < n)
         inverse.resize(n, n);
       inverse.topLeftCorner(m, m) =
         factor.solve(Eigen::MatrixXd::Identity(m, m));
@@ -102,7 +104,7 @@ namespace Tribody
       std::fill(place.begin(), place.end(), -1);
       for (Eigen::Index k = 0; k < m; ++k)
         place[order[k]] = k;
-      has_inverse = true;
+      form = Form::inverse;
     }
 
 
@@ -133,10 +135,10 @@ namespace Tribody
 
 
     void
-    ActiveCompliance::exchange(const Eigen::MatrixXd &compliance,
-                               const ActiveSet       &leaving,
-                               const ActiveSet       &entering)
+    ActiveCompliance::exchange(const ActiveSet &leaving,
+                               const ActiveSet &entering)
     {
+      const Eigen::MatrixXd &C = compliance.matrix();
       move_to_end(leaving);
       const Eigen::Index n_leaving  = leaving.size();
       const Eigen::Index n_entering = entering.size();
@@ -152,10 +154,10 @@ namespace Tribody
           inverse.block(n_kept, n_kept, n_leaving, n_leaving))
           .matrixL()
           .solve(inverse.block(n_kept, 0, n_leaving, n_kept));
-      const Eigen::MatrixXd B = compliance(order, entering);
+      const Eigen::MatrixXd B = C(order, entering);
       Eigen::MatrixXd       Y = multiply(X, B);
       Y -= Z_K.transpose() * (Z_K * B);
-      const Eigen::LLT<Eigen::MatrixXd> S(compliance(entering, entering) -
+      const Eigen::LLT<Eigen::MatrixXd> S(C(entering, entering) -
                                           B.transpose() * Y);
 
       Eigen::MatrixXd Z(n_leaving + n_entering, n_kept);
@@ -185,8 +187,10 @@ namespace Tribody
     ActiveCompliance::solve(
       const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const
     {
-      if (!has_inverse)
+      if (form == Form::factor)
         return factor.solve(right_hand_sides);
+      if (form == Form::hierarchy)
+        return compliance.hierarchy().solve(restriction, right_hand_sides);
 
       const Eigen::Index m = active_set.size();
       Eigen::MatrixXd    ordered(m, right_hand_sides.cols());
@@ -204,7 +208,10 @@ namespace Tribody
     Eigen::MatrixXd
     ActiveCompliance::compute_inverse()
     {
-      if (!has_inverse)
+      if (form == Form::hierarchy)
+        return solve(
+          Eigen::MatrixXd::Identity(active_set.size(), active_set.size()));
+      if (form == Form::factor)
         invert();
       std::vector<Eigen::Index> places;
       for (const Eigen::Index node : active_set)

@@ -1,6 +1,6 @@
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include <tribody/contact/active_compliance.h>
 #include <tribody/contact/contact_programme.h>
 #include <tribody/contact/rigid_places.h>
 
@@ -50,13 +50,13 @@ namespace Tribody
       Eigen::VectorXd
       minimise_over(const ActiveSet                      &active,
                     const ContactProgramme               &programme,
-                    ActiveCompliance                     &factor,
                     typename RigidPlaces<n_free>::Vector &step)
       {
         step.setZero();
         if (active.empty())
           return Eigen::VectorXd();
-        factor.update(programme.compliance, active);
+        const Eigen::LLT<Eigen::MatrixXd> factor(
+          programme.compliance(active, active));
         const Eigen::VectorXd gap = programme.gap(active);
         if (!programme.pin_is_free)
           return -factor.solve(gap);
@@ -83,17 +83,15 @@ namespace Tribody
 
       Eigen::VectorXd
       minimise_over(const ContactProgramme   &programme,
-                    ActiveCompliance         &factor,
                     ContactProgrammeSolution &solution)
       {
         if (programme.n_rim == 0)
           return minimise_over<2>(solution.active_set,
                                   programme,
-                                  factor,
                                   solution.pin_step);
         Eigen::Vector4d       step;
         const Eigen::VectorXd forces =
-          minimise_over<4>(solution.active_set, programme, factor, step);
+          minimise_over<4>(solution.active_set, programme, step);
         solution.pin_step  = step.head<2>();
         solution.ring_step = step.tail<2>();
         return forces;
@@ -188,15 +186,13 @@ namespace Tribody
                                solution);
         }
 
-      ActiveCompliance factor;
-      bool             was_blocked_at_once = false;
-      const auto       max_iterations      = static_cast<unsigned int>(20 * n);
+      bool       was_blocked_at_once = false;
+      const auto max_iterations      = static_cast<unsigned int>(20 * n);
       for (auto &i = solution.report.n_iterations; i < max_iterations;)
         {
           ++i;
-          const Eigen::VectorXd target =
-            minimise_over(programme, factor, solution);
-          const double length = advance(target, solution);
+          const Eigen::VectorXd target = minimise_over(programme, solution);
+          const double          length = advance(target, solution);
           if (length < 1.)
             {
               was_blocked_at_once = was_blocked_at_once || (length == 0.);

@@ -61,7 +61,7 @@ namespace Tribody
 
 
     ContactSolver::ContactSolver(const BoreSurface             &surface,
-                                 const Eigen::MatrixXd         &compliance,
+                                 const Compliance              &compliance,
                                  const double                   pin_radius,
                                  const ContactSolverParameters &parameters,
                                  const std::optional<Housing>  &housing)
@@ -70,8 +70,9 @@ namespace Tribody
       , compliance(compliance)
       , pin_radius(pin_radius)
       , parameters(parameters)
+      , active_compliance(compliance)
     {
-      AssertDimension(compliance.cols(), n_nodes());
+      AssertDimension(compliance.matrix().cols(), n_nodes());
     }
 
 
@@ -180,7 +181,7 @@ namespace Tribody
             solution.nodal_force[active[k]] / distance *
             (Eigen::Matrix2d::Identity() - m * m.transpose());
         }
-      active_compliance.update(compliance, active, /*small changes = */ true);
+      active_compliance.update(active, /*small changes = */ true);
       const Eigen::MatrixX3d d_forces = active_compliance.solve(closing);
       result.force += closing.leftCols<2>().transpose() * d_forces;
       result.nodal_force_sum = d_forces.colwise().sum();
@@ -306,12 +307,13 @@ namespace Tribody
             append(i, rows_of_gap);
         }
 
+      const Eigen::MatrixXd &C = compliance.matrix();
       for (const Arc &row : rows_of_gap)
         for (const Arc &column : columns)
-          add_product(compliance.block(
-                        row.begin, column.begin, row.length, column.length),
-                      iterate.nodal_force.segment(column.begin, column.length),
-                      iterate.yielding.segment(row.begin, row.length));
+          add_product(
+            C.block(row.begin, column.begin, row.length, column.length),
+            iterate.nodal_force.segment(column.begin, column.length),
+            iterate.yielding.segment(row.begin, row.length));
       // A distance is known to a few roundings only; under forces so small
       // that the bore yields less than that, this is all there is.
       iterate.gap_tolerance =
@@ -372,7 +374,7 @@ namespace Tribody
             }
           // Newton's method needs no more than three iterations then, unless
           // what is solved with has gone bad.
-          else if (++n_unchanged > 3 && active_compliance.refresh(compliance))
+          else if (++n_unchanged > 3 && active_compliance.refresh())
             n_unchanged = 0;
         }
       return failure(report, "no convergence");
@@ -481,7 +483,7 @@ namespace Tribody
           Places::add_curvature(
             geometric, pin, i, n_bore, iterate.nodal_force[i]);
         }
-      active_compliance.update(compliance, active, iterate.is_warm);
+      active_compliance.update(active, iterate.is_warm);
       const Columns yz        = active_compliance.solve(right_hand_sides);
       const auto    m         = right_hand_sides.template leftCols<n_free>();
       const auto    y         = yz.template leftCols<n_free>();
@@ -525,7 +527,7 @@ namespace Tribody
           const auto &active = iterate.active_set;
           if (!active.empty())
             {
-              active_compliance.update(compliance, active, iterate.is_warm);
+              active_compliance.update(active, iterate.is_warm);
               const Eigen::VectorXd gap = iterate.gap(active);
               iterate.nodal_force(active) -= active_compliance.solve(gap);
               iterate.yielding(active) -= gap;
@@ -546,8 +548,7 @@ namespace Tribody
               n_unchanged = 0;
             }
           else if (report.residual <= parameters.tolerance ||
-                   (++n_unchanged > 2 &&
-                    !active_compliance.refresh(compliance)))
+                   (++n_unchanged > 2 && !active_compliance.refresh()))
             {
               report.converged = true;
               return report;
@@ -564,7 +565,7 @@ namespace Tribody
     {
       iterate.pin = rigid_gap(iterate);
       const ContactProgramme programme{
-        compliance,
+        compliance.matrix(),
         iterate.pin.gap,
         iterate.pin.directions,
         force != nullptr,
@@ -601,7 +602,8 @@ namespace Tribody
             ++kept;
           if (kept == next.end() || *kept != i)
             {
-              iterate.yielding -= iterate.nodal_force[i] * compliance.col(i);
+              iterate.yielding -=
+                iterate.nodal_force[i] * compliance.matrix().col(i);
               iterate.nodal_force[i] = 0.;
             }
         }

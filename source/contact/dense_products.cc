@@ -294,5 +294,15 @@ namespace Tribody
           sum.data(),
           sum.outerStride());
     }
+
+
+
+    Eigen::MatrixXd
+    multiply(const ConstBlock &a, const ConstBlock &b)
+    {
+      Eigen::MatrixXd product = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+      add_product(a, b, product);
+      return product;
+    }
   } // namespace Contact
 } // namespace Tribody

@@ -10,13 +10,13 @@ namespace Tribody
   namespace Contact
   {
     ForceSensitivity::ForceSensitivity(const Eigen::Matrix2Xd &positions,
-                                       const Eigen::MatrixXd  &compliance,
+                                       const Compliance       &compliance,
                                        const double            pin_radius,
                                        const Housing          *housing)
       : positions(positions)
-      , compliance(compliance)
       , pin_radius(pin_radius)
       , housing(housing)
+      , active_compliance(compliance)
     {}
 
 
@@ -50,7 +50,7 @@ namespace Tribody
       for (const Eigen::Index k : solution.rim.active_set)
         active.push_back(n_bore + k);
       const Eigen::Index n = active.size();
-      active_compliance.update(compliance, active, /*small changes = */ true);
+      active_compliance.update(active, /*small changes = */ true);
 
       using Columns      = Eigen::Matrix<double, Eigen::Dynamic, n_free>;
       Columns directions = Columns::Zero(n, n_free);

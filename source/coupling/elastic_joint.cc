@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Tribody
 {
@@ -129,15 +130,15 @@ namespace Tribody
     ElasticJoint::update_compliance()
     {
       elasticity.reinit(geometry.mapping());
-      joint_compliance = bushing_compliance();
+      Eigen::MatrixXd C = bushing_compliance();
       if (has_elastic_pin())
         {
           const Eigen::MatrixXd P =
             make_turned_interpolation(surface, pin_surface, /*angle = */ 0.);
           const Eigen::Index n = surface.n_nodes();
-          joint_compliance.topLeftCorner(n, n) +=
-            P.transpose() * pin_compliance * P;
+          C.topLeftCorner(n, n) += P.transpose() * pin_compliance * P;
         }
+      joint_compliance    = std::move(C);
       depth_at_compliance = depth;
       ++n_builds;
     }
@@ -169,17 +170,17 @@ namespace Tribody
     Eigen::MatrixXd
     ElasticJoint::stiffest_compliance() const
     {
+      const Eigen::MatrixXd &C = joint_compliance.matrix();
       if (!ring_housing)
-        return joint_compliance;
+        return C;
       const Eigen::Index    n     = surface.n_nodes();
       const Eigen::Index    n_rim = ring_housing->rim.n_nodes();
-      const Eigen::MatrixXd C_rb  = joint_compliance.bottomLeftCorner(n_rim, n);
+      const Eigen::MatrixXd C_rb  = C.bottomLeftCorner(n_rim, n);
       const Eigen::MatrixXd Z =
-        Eigen::LLT<Eigen::MatrixXd>(
-          joint_compliance.bottomRightCorner(n_rim, n_rim))
+        Eigen::LLT<Eigen::MatrixXd>(C.bottomRightCorner(n_rim, n_rim))
           .matrixL()
           .solve(C_rb);
-      return joint_compliance.topLeftCorner(n, n) - Z.transpose() * Z;
+      return C.topLeftCorner(n, n) - Z.transpose() * Z;
     }
 
 

@@ -93,10 +93,9 @@ check_turned_pin()
   const auto             solve     = [&](const double angle) {
     const Eigen::MatrixXd P =
       make_turned_interpolation(bushing.surface, pin.surface, angle);
-    Contact::ContactSolver solver(bushing.surface,
-                                  bushing.compliance +
-                                    P.transpose() * pin.compliance * P,
-                                  R - clearance);
+    const Eigen::MatrixXd C =
+      bushing.compliance + P.transpose() * pin.compliance * P;
+    Contact::ContactSolver solver(bushing.surface, C, R - clearance);
     return solver.solve_force_controlled({plane_modulus * clearance, 0.});
   };
   const auto   straight = solve(0.), turned = solve(0.3);

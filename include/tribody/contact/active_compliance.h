@@ -3,7 +3,9 @@
 
 #include <Eigen/Cholesky>
 
+#include <tribody/contact/compliance.h>
 #include <tribody/contact/contact_solution.h>
+#include <tribody/contact/hierarchical_compliance.h>
 
 namespace Tribody
 {
@@ -22,23 +24,28 @@ namespace Tribody
      * @f[ X \to \begin{pmatrix} X + Y S^{-1} Y^T & -Y S^{-1} \\
      *                           -S^{-1} Y^T & S^{-1} \end{pmatrix}, @f]
      * both in one sweep over X. That costs some @f$4 m^2@f$ operations per node
-     * instead of the
-     * @f$m^3/3@f$ of a new factor. The rounding errors of many changes add up;
-     * iterations that correct what is left do not mind, and refresh() removes
-     * them.
+     * instead of the @f$m^3/3@f$ of a new factor. The rounding errors of many
+     * changes add up; iterations that correct what is left do not mind, and
+     * refresh() removes them.
+     *
+     * From 400 nodes on a HierarchicalCompliance is restricted to them instead,
+     * which is exact to 1e-12 times the condition of @f$C_A@f$, some 1e3.
      */
     class ActiveCompliance
     {
     public:
+      /// Of no nodes yet.
+      explicit ActiveCompliance(const Compliance &compliance)
+        : compliance(compliance)
+      {}
+
       /**
-       * Restrict @p compliance, of which always the same must be given, to
-       * @p nodes.
-       * @param expect_small_changes whether following the nodes will pay.
+       * Restrict the compliance to @p nodes.
+       * @param expect_small_changes whether following the nodes will pay, as
+       *   long as they are not many.
        */
       void
-      update(const Eigen::MatrixXd &compliance,
-             const ActiveSet       &nodes,
-             const bool             expect_small_changes = false);
+      update(const ActiveSet &nodes, const bool expect_small_changes = false);
 
       /// @f$ C_A^{-1} @f$ times @p right_hand_sides.
       Eigen::MatrixXd
@@ -48,37 +55,44 @@ namespace Tribody
       Eigen::MatrixXd
       compute_inverse();
 
-      /// Factorise anew if changes were followed since that was last done.
-      /// Returns whether there were any.
+      /// Factorise anew if this would remove errors. Returns whether it would.
       bool
-      refresh(const Eigen::MatrixXd &compliance);
+      refresh();
 
     private:
       void
-      factorise(const Eigen::MatrixXd &compliance);
+      factorise();
 
       void
       invert();
 
       /// Let nodes leave the inverse and others enter it.
       void
-      exchange(const Eigen::MatrixXd &compliance,
-               const ActiveSet       &leaving,
-               const ActiveSet       &entering);
+      exchange(const ActiveSet &leaving, const ActiveSet &entering);
 
       /// Give @p nodes the last places in the inverse. The places that they had
       /// are taken by those that were last.
       void
       move_to_end(const ActiveSet &nodes);
 
-      ActiveSet active_set;
+      /// What there is of the nodes asked for.
+      enum class Form
+      {
+        factor,
+        inverse,
+        hierarchy
+      };
 
-      /// Without the inverse.
+      Compliance compliance;
+      ActiveSet  active_set;
+      Form       form = Form::factor;
+
       Eigen::LLT<Eigen::MatrixXd> factor;
+
+      HierarchicalCompliance::Restriction restriction;
 
       /// The inverse is the upper left corner of @p inverse, its rows in the
       /// order of @p order; @p place says where a node is in it, -1: nowhere.
-      bool                      has_inverse = false;
       Eigen::MatrixXd           inverse;
       std::vector<Eigen::Index> order;
       std::vector<Eigen::Index> place;

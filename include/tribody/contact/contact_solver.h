@@ -54,8 +54,8 @@ namespace Tribody
      * the ring's place is found with that of the pin, under a given force only.
      * The pin's centre is then that relative to the ring's place.
      *
-     * The object keeps the last inverse: use one per thread. Results depend on
-     * what was solved before by less than the tolerance.
+     * The object keeps what it solved with last: use one per thread. Results
+     * depend on what was solved before by less than the tolerance.
      */
     class ContactSolver
     {
@@ -67,7 +67,7 @@ namespace Tribody
        * @param pin_radius R [m].
        */
       ContactSolver(const BoreSurface             &surface,
-                    const Eigen::MatrixXd         &compliance,
+                    const Compliance              &compliance,
                     const double                   pin_radius,
                     const ContactSolverParameters &parameters = {},
                     const std::optional<Housing>  &housing    = {});
@@ -238,7 +238,7 @@ namespace Tribody
 
       BoreSurface             surface;
       std::optional<Housing>  housing;
-      Eigen::MatrixXd         compliance;
+      Compliance              compliance;
       double                  pin_radius;
       Eigen::VectorXd         pin_recess;
       ContactSolverParameters parameters;

@@ -25,6 +25,10 @@ namespace Tribody
      */
     void
     add_product(const ConstBlock &a, const ConstBlock &b, Block sum);
+
+    /// @p a times @p b in the same way.
+    Eigen::MatrixXd
+    multiply(const ConstBlock &a, const ConstBlock &b);
   } // namespace Contact
 } // namespace Tribody
 

@@ -22,23 +22,23 @@ namespace Tribody
      * of the gaps. S is symmetric and, with the pin held by the force alone,
      * positive semi-definite.
      *
-     * The object keeps the inverse of the last active set: solutions with
-     * similar ones should follow each other. What roundings add up to on the
-     * way matters to the convergence of Newton's method only.
+     * The object keeps C_A of the last active set: solutions with similar ones
+     * should follow each other. The errors of ActiveCompliance matter to the
+     * convergence of Newton's method only.
      */
     class ForceSensitivity
     {
     public:
       /**
-       * @param positions of the undeformed bore nodes [m].
+       * @param positions of the undeformed bore nodes [m]; must outlive this
+       *   object, and so must @p housing.
        * @param compliance C [m per N/m].
-       * Both must outlive this object, and so must @p housing.
        * @param housing of a free ring, or nullptr. The nodes of the rim that
        *   touch it are then eliminated with the ring's place: S is the block of
        *   the bore.
        */
       ForceSensitivity(const Eigen::Matrix2Xd &positions,
-                       const Eigen::MatrixXd  &compliance,
+                       const Compliance       &compliance,
                        const double            pin_radius,
                        const Housing          *housing = nullptr);
 
@@ -52,7 +52,6 @@ namespace Tribody
       compute(const ContactSolution &solution, const PinGap &gap);
 
       const Eigen::Matrix2Xd &positions;
-      const Eigen::MatrixXd  &compliance;
       double                  pin_radius;
       const Housing          *housing;
       ActiveCompliance        active_compliance;

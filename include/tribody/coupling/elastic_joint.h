@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <tribody/contact/compliance.h>
 #include <tribody/contact/contact_solution.h>
 #include <tribody/contact/housing.h>
 #include <tribody/coupling/bushing_parameters.h>
@@ -72,7 +73,7 @@ namespace Tribody
       /// Normal compliance of bore and pin at the bore nodes [m per N/m],
       /// followed by those of the rim if there is a housing. It follows the
       /// shape with the lag that compliance_update allows.
-      const Eigen::MatrixXd &
+      const Contact::Compliance &
       compliance() const
       {
         return joint_compliance;
@@ -148,9 +149,9 @@ namespace Tribody
       BoreSurface                     surface;
       std::optional<Contact::Housing> ring_housing;
       /// Of bore and pin, at the nodes that can be touched.
-      Eigen::MatrixXd joint_compliance;
-      Eigen::VectorXd depth_at_compliance;
-      unsigned int    n_builds = 0;
+      Contact::Compliance joint_compliance;
+      Eigen::VectorXd     depth_at_compliance;
+      unsigned int        n_builds = 0;
     };
   } // namespace Coupling
 } // namespace Tribody
