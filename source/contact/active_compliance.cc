@@ -1,3 +1,5 @@
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <tribody/contact/active_compliance.h>
@@ -29,7 +31,8 @@ namespace Tribody
       if (nodes == active_set)
         return;
 
-      const bool are_many = nodes.size() >= n_hierarchical;
+      const bool are_many =
+        use == Use::solving && nodes.size() >= n_hierarchical;
       if (are_many && compliance.hierarchy().restrict_to(nodes, restriction))
         {
           active_set = nodes;
@@ -95,7 +98,9 @@ namespace Tribody
       const Eigen::Index m = active_set.size();
       // With room for every node that may still enter.
       const Eigen::Index n =
-        std::max(m, std::min<Eigen::Index>(place.size(), n_hierarchical));
+        use == Use::inverse
+          ? place.size()
+          : std::max<Eigen::Index>(m, std::min(place.size(), n_hierarchical));
       if (inverse.rows() < n)
         inverse.resize(n, n);
       inverse.topLeftCorner(m, m) =
@@ -208,9 +213,7 @@ namespace Tribody
     Eigen::MatrixXd
     ActiveCompliance::compute_inverse()
     {
-      if (form == Form::hierarchy)
-        return solve(
-          Eigen::MatrixXd::Identity(active_set.size(), active_set.size()));
+      Assert(use == Use::inverse, dealii::ExcNotImplemented());
       if (form == Form::factor)
         invert();
       std::vector<Eigen::Index> places;

@@ -16,7 +16,7 @@ namespace Tribody
       : positions(positions)
       , pin_radius(pin_radius)
       , housing(housing)
-      , active_compliance(compliance)
+      , active_compliance(compliance, ActiveCompliance::Use::inverse)
     {}
 
 

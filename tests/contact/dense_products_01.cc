@@ -63,8 +63,8 @@ test_inverse()
   const Eigen::MatrixXd B = random_matrix(n, n);
   const Eigen::MatrixXd C =
     B * B.transpose() / n + 0.01 * Eigen::MatrixXd::Identity(n, n);
-  ActiveCompliance                                         active(C);
-  double                                                   largest = 0.;
+  ActiveCompliance active(C, ActiveCompliance::Use::inverse);
+  double           largest = 0.;
   const std::vector<std::pair<Eigen::Index, Eigen::Index>> ranges{
     {0, 35}, {3, 38}, {3, 41}, {5, 41}, {4, 39}, {1, 36}, {20, 55}};
   for (const auto &[begin, end] : ranges)

@@ -29,14 +29,27 @@ namespace Tribody
      * refresh() removes them.
      *
      * From 400 nodes on a HierarchicalCompliance is restricted to them instead,
-     * which is exact to 1e-12 times the condition of @f$C_A@f$, some 1e3.
+     * which is exact to 1e-12 times the condition of @f$C_A@f$, some 1e3:
+     * unless all of the inverse is wanted, which then takes longer than
+     * following it.
      */
     class ActiveCompliance
     {
     public:
+      /// What is wanted of it.
+      enum class Use
+      {
+        /// solve().
+        solving,
+        /// solve() and compute_inverse().
+        inverse
+      };
+
       /// Of no nodes yet.
-      explicit ActiveCompliance(const Compliance &compliance)
+      explicit ActiveCompliance(const Compliance &compliance,
+                                const Use         use = Use::solving)
         : compliance(compliance)
+        , use(use)
       {}
 
       /**
@@ -52,6 +65,7 @@ namespace Tribody
       solve(const Eigen::Ref<const Eigen::MatrixXd> &right_hand_sides) const;
 
       /// @f$ C_A^{-1} @f$, rows and columns in the order of the nodes.
+      /// @pre Use::inverse.
       Eigen::MatrixXd
       compute_inverse();
 
@@ -84,6 +98,7 @@ namespace Tribody
       };
 
       Compliance compliance;
+      Use        use;
       ActiveSet  active_set;
       Form       form = Form::factor;
 
