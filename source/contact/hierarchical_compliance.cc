@@ -14,7 +14,8 @@ namespace Tribody
     {
       using Eigen::Index;
 
-      /// Nodes of a leaf, three times what its skeleton needs.
+      /// Leaves have half of this number of nodes or more, twice what their
+      /// skeletons need; twice as many took longer.
       constexpr Index max_leaf_size = 64;
 
       /// Outside of [@p begin, @p end).
