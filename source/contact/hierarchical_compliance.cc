@@ -148,8 +148,8 @@ namespace Tribody
 
 
     bool
-    HierarchicalCompliance::restrict_to(const ActiveSet &nodes,
-                                        Restriction     &restriction) const
+    HierarchicalCompliance::restrict_to(const std::vector<Eigen::Index> &nodes,
+                                        Restriction &restriction) const
     {
       restriction.whole_arcs.clear();
       restriction.loose_rows.clear();
@@ -190,11 +190,11 @@ namespace Tribody
 
 
     void
-    HierarchicalCompliance::cut(const ActiveSet  &nodes,
-                                const Index       first,
-                                const Index       last,
-                                const std::size_t a,
-                                Restriction      &restriction) const
+    HierarchicalCompliance::cut(const std::vector<Eigen::Index> &nodes,
+                                const Index                      first,
+                                const Index                      last,
+                                const std::size_t                a,
+                                Restriction &restriction) const
     {
       if (first == last)
         return;

@@ -79,7 +79,7 @@ namespace Tribody
             {
               const CycleContact &fine_contact   = fine_state.contacts[b];
               const CycleContact &coarse_contact = state.contacts[c];
-              Output::MeshError  &error          = errors[b];
+              MeshError          &error          = errors[b];
               error.n_nodes                      = bushing.node_angles().size();
               error.n_coarse_nodes               = twin->node_angles().size();
               error.max_pressure =
@@ -120,7 +120,7 @@ namespace Tribody
 
 
 
-    const std::vector<Output::MeshError> &
+    const std::vector<MeshError> &
     CoarseRun::compare(const std::list<WearingBushing> &bushings)
     {
       if (!follows_whole_run || state.cycles == 0.)

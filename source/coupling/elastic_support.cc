@@ -1,5 +1,4 @@
 #include <tribody/base/exceptions.h>
-#include <tribody/coupling/case_parameters.h>
 #include <tribody/coupling/elastic_joint.h>
 #include <tribody/coupling/elastic_support.h>
 #include <tribody/surface/turned_surfaces.h>
@@ -122,26 +121,6 @@ namespace Tribody
       check(solution, "force " + std::to_string(force.norm()) + " N");
       last_resting = solution;
       return solution.pin_centre;
-    }
-
-
-
-    std::map<std::string, std::shared_ptr<const Multibody::PinSupport>>
-    make_unworn_supports(const CaseParameters &parameters)
-    {
-      std::map<std::string, std::shared_ptr<const Multibody::PinSupport>>
-        result;
-      for (const BushingParameters &bushing : parameters.bushings)
-        {
-          const Multibody::JointParameters &joint =
-            parameters.joint(bushing.name);
-          if (joint.needs_support())
-            result[bushing.name] = std::make_shared<const ElasticSupport>(
-              ElasticJoint(bushing, joint, parameters.wear.compliance_update),
-              bushing,
-              joint.pin_radius);
-        }
-      return result;
     }
   } // namespace Coupling
 } // namespace Tribody

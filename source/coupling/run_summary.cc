@@ -56,7 +56,7 @@ namespace Tribody
 
 
 
-      Output::BushingSummary
+      BushingSummary
       summarise_bushing(const WearingBushing            &bushing,
                         const Multibody::JointDutyCycle &cycle,
                         const CycleContact              &contact,
@@ -66,7 +66,7 @@ namespace Tribody
         const Multibody::JointParameters &joint = bushing.joint_parameters();
         const Wear::WearProfile          &profile = bushing.profile();
 
-        Output::BushingSummary summary;
+        BushingSummary summary;
         summary.max_wear_depth = profile.max_depth();
         summary.max_wear_angle = bushing.node_angles()[profile.deepest_node()];
         summary.worn_volume    = bushing.worn_volume();
@@ -115,10 +115,10 @@ namespace Tribody
 
 
 
-      Output::PinSummary
+      PinSummary
       summarise_pin(const WearingBushing &bushing, const BushingTotals &totals)
       {
-        Output::PinSummary summary;
+        PinSummary summary;
         if (bushing.wearing_pin() == nullptr)
           return summary;
         const WearingSurface surface = bushing.surfaces().back();
@@ -142,10 +142,10 @@ namespace Tribody
 
       // Of either surface, relative to the deepest and to what both have lost.
       void
-      add_errors(const WearingBushing       &bushing,
-                 const Output::JointSummary &joint,
-                 const BushingTotals        &totals,
-                 Output::RunSummary         &summary)
+      add_errors(const WearingBushing &bushing,
+                 const JointSummary   &joint,
+                 const BushingTotals  &totals,
+                 RunSummary           &summary)
       {
         const double depth = bushing.depth().maxCoeff();
         for (const WearingSurface &surface : bushing.surfaces())
@@ -163,10 +163,10 @@ namespace Tribody
 
 
 
-      Output::DynamicsSummary
+      DynamicsSummary
       summarise_dynamics(const Multibody::DutyCycle &cycle)
       {
-        Output::DynamicsSummary summary;
+        DynamicsSummary summary;
         summary.settling_cycles  = cycle.settling.n_cycles;
         summary.averaged_cycles  = cycle.settling.n_averaged_cycles;
         summary.n_steps          = cycle.statistics.n_steps;
@@ -195,12 +195,12 @@ namespace Tribody
 
 
       // What the cycle tells of one joint, without its bushing.
-      Output::JointSummary
+      JointSummary
       summarise_joint(const Multibody::JointDutyCycle &cycle,
                       const Eigen::VectorXd           &phase)
       {
         using Multibody::ContactState;
-        Output::JointSummary joint;
+        JointSummary joint;
         joint.name                   = cycle.name;
         joint.has_clearance          = cycle.has_clearance;
         joint.has_contact_law        = cycle.has_contact_law;
@@ -238,9 +238,9 @@ namespace Tribody
 
 
       void
-      print_bushing(std::ostream &out, const Output::JointSummary &joint)
+      print_bushing(std::ostream &out, const JointSummary &joint)
       {
-        const Output::BushingSummary &bushing = joint.bushing;
+        const BushingSummary &bushing = joint.bushing;
         out << "    bushing: maximum depth " << std::setprecision(4)
             << bushing.max_wear_depth * 1e3 << " mm at "
             << Units::degrees(bushing.max_wear_angle) << " deg, volume "
@@ -287,7 +287,7 @@ namespace Tribody
             << bushing.mesh_oscillation
             << ", losses of contact in the recorded cycles "
             << joint.contact_losses << std::endl;
-        const Output::MeshError &mesh = bushing.mesh_error;
+        const MeshError &mesh = bushing.mesh_error;
         if (mesh.n_coarse_nodes > 0)
           out << "    mesh: with " << mesh.n_coarse_nodes << " instead of "
               << mesh.n_nodes
@@ -302,11 +302,11 @@ namespace Tribody
 
       // A table of the joints.
       void
-      print_joint_table(std::ostream                            &out,
-                        const std::vector<Output::JointSummary> &joints)
+      print_joint_table(std::ostream                    &out,
+                        const std::vector<JointSummary> &joints)
       {
         std::size_t width = 6;
-        for (const Output::JointSummary &joint : joints)
+        for (const JointSummary &joint : joints)
           width = std::max(width, joint.name.size());
         const auto cell = [&out](const auto &value, const int columns) {
           out << std::setw(columns) << value;
@@ -316,7 +316,7 @@ namespace Tribody
              {"peak [N]", "at [deg]", "mean [N]", "ringing [%]"})
           cell(title, 13);
         out << std::endl;
-        for (const Output::JointSummary &joint : joints)
+        for (const JointSummary &joint : joints)
           {
             out << "  " << std::left << std::setw(width) << joint.name
                 << std::right << std::setprecision(5);
@@ -333,7 +333,7 @@ namespace Tribody
 
       // What a pin does in its bushing during the cycle.
       void
-      print_contacts(std::ostream &out, const Output::JointSummary &joint)
+      print_contacts(std::ostream &out, const JointSummary &joint)
       {
         out << "  " << joint.name << ": " << std::fixed << std::setprecision(2)
             << 100. * joint.share_free << " % of the time in free flight, "
@@ -352,11 +352,11 @@ namespace Tribody
 
       // Of a motion that does not repeat.
       void
-      print_averages(std::ostream &out, const Output::RunSummary &summary)
+      print_averages(std::ostream &out, const RunSummary &summary)
       {
         out << "    averages and standard deviations over "
             << summary.dynamics.averaged_cycles << " cycles" << std::endl;
-        for (const Output::JointSummary &joint : summary.joints)
+        for (const JointSummary &joint : summary.joints)
           out << "    " << joint.name << ": largest force "
               << std::setprecision(4) << joint.mean_peak_force << " +- "
               << std::setprecision(3) << joint.peak_force_deviation
@@ -368,9 +368,9 @@ namespace Tribody
 
 
       void
-      print_energy(std::ostream &out, const Output::RunSummary &summary)
+      print_energy(std::ostream &out, const RunSummary &summary)
       {
-        const Output::DynamicsSummary &dynamics = summary.dynamics;
+        const DynamicsSummary &dynamics = summary.dynamics;
         // What is left over of a motion that neither takes nor gives energy.
         const auto without_noise = [&dynamics](const double energy) {
           return std::abs(energy) < 1e-10 * dynamics.max_kinetic_energy
@@ -383,7 +383,7 @@ namespace Tribody
             << without_noise(dynamics.dissipated) << " J; kinetic between "
             << dynamics.min_kinetic_energy << " and "
             << dynamics.max_kinetic_energy << " J" << std::endl;
-        for (const Output::JointSummary &joint : summary.joints)
+        for (const JointSummary &joint : summary.joints)
           if (joint.has_contact_law)
             out << "    " << joint.name << ": friction " << joint.friction_loss
                 << " J, hysteresis " << joint.normal_loss << " J" << std::endl;
@@ -401,13 +401,13 @@ namespace Tribody
 
       // The joints, and what the motion has cost.
       void
-      print_dynamics(std::ostream &out, const Output::RunSummary &summary)
+      print_dynamics(std::ostream &out, const RunSummary &summary)
       {
         print_joint_table(out, summary.joints);
-        for (const Output::JointSummary &joint : summary.joints)
+        for (const JointSummary &joint : summary.joints)
           if (joint.has_clearance)
             print_contacts(out, joint);
-        const Output::DynamicsSummary &dynamics = summary.dynamics;
+        const DynamicsSummary &dynamics = summary.dynamics;
         if (dynamics.n_steps > 0)
           {
             out << "  motion: recorded in cycle ";
@@ -435,9 +435,9 @@ namespace Tribody
 
 
       void
-      print_joints(std::ostream &out, const Output::RunSummary &summary)
+      print_joints(std::ostream &out, const RunSummary &summary)
       {
-        for (const Output::JointSummary &joint : summary.joints)
+        for (const JointSummary &joint : summary.joints)
           {
             out << "  " << joint.name << ": force in the cycle, largest "
                 << std::setprecision(5) << joint.peak_force << " N, mean "
@@ -454,12 +454,12 @@ namespace Tribody
 
 
 
-    Output::RunSummary
+    RunSummary
     make_run_summary(const CaseParameters            &parameters,
                      const RunState                  &state,
                      const std::list<WearingBushing> &bushings)
     {
-      Output::RunSummary summary;
+      RunSummary summary;
       summary.case_name           = parameters.title;
       summary.cycles              = state.cycles;
       summary.is_dynamics_only    = parameters.cycles == 0;
@@ -480,8 +480,7 @@ namespace Tribody
         {
           const Multibody::JointDutyCycle &cycle = state.duty_cycle.joints[j];
 
-          Output::JointSummary joint =
-            summarise_joint(cycle, state.duty_cycle.phase);
+          JointSummary joint = summarise_joint(cycle, state.duty_cycle.phase);
           if (cycle.has_contact_law && energy.has_work)
             {
               joint.normal_loss   = energy.normal_loss[n_contact_laws];
@@ -527,7 +526,7 @@ namespace Tribody
 
 
     void
-    print_results(std::ostream &out, const Output::RunSummary &summary)
+    print_results(std::ostream &out, const RunSummary &summary)
     {
       const std::ios_base::fmtflags flags     = out.flags();
       const std::streamsize         precision = out.precision();

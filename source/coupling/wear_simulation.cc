@@ -4,8 +4,8 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
-#include <tribody/coupling/elastic_support.h>
 #include <tribody/coupling/make_jump.h>
+#include <tribody/coupling/make_unworn_supports.h>
 #include <tribody/coupling/mesh_resolution.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
@@ -226,18 +226,17 @@ namespace Tribody
                                   const std::string             &status,
                                   const std::string             &message)
     {
-      Output::RunSummary summary =
-        make_run_summary(parameters, state, bushings);
-      summary.status    = status;
-      summary.message   = message;
-      summary.wall_time = recorder.wall_time();
-      summary.cpu_time  = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+      RunSummary summary = make_run_summary(parameters, state, bushings);
+      summary.status     = status;
+      summary.message    = message;
+      summary.wall_time  = recorder.wall_time();
+      summary.cpu_time   = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
       dealii::Utilities::System::MemoryStats memory;
       dealii::Utilities::System::get_memory_stats(memory);
       summary.peak_memory_bytes = 1024. * memory.VmHWM;
 
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        Output::write_summary_json(directory.file("summary.json"), summary);
+        write_summary_json(directory.file("summary.json"), summary);
       print_results(console.out(), summary);
     }
 

@@ -96,9 +96,9 @@ check(const double clearance)
       WearParameters wear;
       CoarseRun      coarse(wear, bushings);
       coarse.start(state, bushings);
-      const Output::MeshError estimate = coarse.compare(bushings)[0];
-      const double error  = std::abs(contact.max_pressure / exact - 1.);
-      const double across = contact.at_peak_force().active_set.size();
+      const MeshError estimate = coarse.compare(bushings)[0];
+      const double    error    = std::abs(contact.max_pressure / exact - 1.);
+      const double    across   = contact.at_peak_force().active_set.size();
       std::cout << "  " << n << " nodes asked for: "
                 << (std::abs(across - n) <= 0.05 * n + 2. ? "there"
                                                           : "not there")

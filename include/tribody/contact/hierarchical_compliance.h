@@ -3,8 +3,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <tribody/contact/contact_solution.h>
-
 #include <vector>
 
 namespace Tribody
@@ -82,7 +80,8 @@ namespace Tribody
        *   positive definite to the accuracy.
        */
       bool
-      restrict_to(const ActiveSet &nodes, Restriction &restriction) const;
+      restrict_to(const std::vector<Eigen::Index> &nodes,
+                  Restriction                     &restriction) const;
 
       /// @f$ C_A^{-1} @f$ times @p right_hand_sides, to the accuracy times the
       /// condition of C_A.
@@ -120,11 +119,11 @@ namespace Tribody
 
       /// Cut the nodes number @p first to @p last, which lie in arc @p a.
       void
-      cut(const ActiveSet   &nodes,
-          const Eigen::Index first,
-          const Eigen::Index last,
-          const std::size_t  a,
-          Restriction       &restriction) const;
+      cut(const std::vector<Eigen::Index> &nodes,
+          const Eigen::Index               first,
+          const Eigen::Index               last,
+          const std::size_t                a,
+          Restriction                     &restriction) const;
 
       /// G^T d of arc @p a, the nodes of which are to yield by the rows of
       /// @p right_hand_sides from @p first_row on. Keeps d of all arcs in it.

@@ -6,7 +6,6 @@
 #include <tribody/elasticity/rim_shape.h>
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/ring_mesh.h>
-#include <tribody/output/summary.h>
 #include <tribody/wear/wear_law.h>
 
 #include <string>
@@ -36,6 +35,17 @@ namespace Tribody
       double volume = 0.;
       /// Worn mass of both [kg].
       double mass = 0.;
+    };
+
+    /// A published or measured value that a result is shown beside.
+    struct Comparison
+    {
+      /// What it is and where it comes from; empty if there is none.
+      std::string source;
+      /// [m]; zero if not given.
+      double max_wear_depth = 0.;
+      /// [kg]; zero if not given.
+      double worn_mass = 0.;
     };
 
     /**
@@ -84,7 +94,7 @@ namespace Tribody
       double        running_in_distance = 0.;
       BushingLimits limits;
       /// Values that the results are shown beside.
-      Output::Comparison comparison;
+      Comparison comparison;
 
       /// Declares in the current subsection, "Bushing <name>".
       void

@@ -1,11 +1,11 @@
 #ifndef tribody_coupling_coarse_run_h
 #define tribody_coupling_coarse_run_h
 
-#include <tribody/coupling/case_parameters.h>
 #include <tribody/coupling/cycle_jump.h>
+#include <tribody/coupling/mesh_error.h>
 #include <tribody/coupling/run_state.h>
+#include <tribody/coupling/wear_parameters.h>
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/output/summary.h>
 
 #include <list>
 #include <memory>
@@ -44,7 +44,7 @@ namespace Tribody
       follow(const Multibody::DutyCycle &cycle, const double end);
 
       /// The differences so far, one entry per bushing of the run.
-      const std::vector<Output::MeshError> &
+      const std::vector<MeshError> &
       compare(const std::list<WearingBushing> &bushings);
 
     private:
@@ -57,7 +57,7 @@ namespace Tribody
       StopConditions             no_conditions;
       std::unique_ptr<CycleJump> jump;
 
-      std::vector<Output::MeshError> errors;
+      std::vector<MeshError> errors;
     };
   } // namespace Coupling
 } // namespace Tribody

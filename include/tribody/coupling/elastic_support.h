@@ -5,7 +5,6 @@
 #include <tribody/multibody/pin_support.h>
 #include <tribody/surface/clearance_profile.h>
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,7 +15,6 @@ namespace Tribody
   {
     class ElasticJoint;
     struct BushingParameters;
-    struct CaseParameters;
 
     /**
      * Finite element contact inside the dynamics: Multibody::PinSupport by
@@ -85,10 +83,6 @@ namespace Tribody
       mutable Multibody::SupportForce                 last_force;
       mutable unsigned int                            solves = 0;
     };
-
-    /// Supports of the unworn joints whose law asks for one, by their names.
-    std::map<std::string, std::shared_ptr<const Multibody::PinSupport>>
-    make_unworn_supports(const CaseParameters &parameters);
   } // namespace Coupling
 } // namespace Tribody
 

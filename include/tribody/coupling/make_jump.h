@@ -1,8 +1,8 @@
 #ifndef tribody_coupling_make_jump_h
 #define tribody_coupling_make_jump_h
 
-#include <tribody/coupling/case_parameters.h>
 #include <tribody/coupling/cycle_jump.h>
+#include <tribody/coupling/wear_parameters.h>
 
 #include <list>
 #include <memory>

@@ -1,9 +1,9 @@
 #ifndef tribody_coupling_run_state_h
 #define tribody_coupling_run_state_h
 
+#include <tribody/coupling/mesh_error.h>
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/multibody/duty_cycle.h>
-#include <tribody/output/summary.h>
 
 #include <array>
 #include <string>
@@ -61,7 +61,7 @@ namespace Tribody
       /// What the first duty cycle that did not go as wished has to say.
       std::string settling_message;
       /// What the meshes do to the results; empty if nobody asked.
-      std::vector<Output::MeshError> mesh_errors;
+      std::vector<MeshError> mesh_errors;
       /// Cycles up to which an explicit wear step is stable.
       double max_stable_step = 0.;
     };

@@ -3,7 +3,7 @@
 
 #include <tribody/coupling/case_parameters.h>
 #include <tribody/coupling/run_state.h>
-#include <tribody/output/summary.h>
+#include <tribody/coupling/summary.h>
 
 #include <iosfwd>
 #include <list>
@@ -14,14 +14,14 @@ namespace Tribody
   {
     /// The results of @p state. Status, message and times are left to the
     /// caller.
-    Output::RunSummary
+    RunSummary
     make_run_summary(const CaseParameters            &parameters,
                      const RunState                  &state,
                      const std::list<WearingBushing> &bushings);
 
     /// The same for the reader of the console.
     void
-    print_results(std::ostream &out, const Output::RunSummary &summary);
+    print_results(std::ostream &out, const RunSummary &summary);
   } // namespace Coupling
 } // namespace Tribody
 

@@ -9,11 +9,11 @@
 #include <tribody/coupling/cycle_jump.h>
 #include <tribody/coupling/run_recorder.h>
 #include <tribody/coupling/run_state.h>
+#include <tribody/coupling/summary.h>
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/multibody/cycle_simulation.h>
 #include <tribody/multibody/mechanism.h>
 #include <tribody/output/output_directory.h>
-#include <tribody/output/summary.h>
 
 #include <exception>
 #include <functional>

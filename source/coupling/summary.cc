@@ -3,7 +3,7 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/units.h>
 #include <tribody/base/version.h>
-#include <tribody/output/summary.h>
+#include <tribody/coupling/summary.h>
 
 #include <cmath>
 #include <fstream>
@@ -11,7 +11,7 @@
 
 namespace Tribody
 {
-  namespace Output
+  namespace Coupling
   {
     namespace
     {
@@ -212,5 +212,5 @@ namespace Tribody
       file << text << std::endl;
       AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
     }
-  } // namespace Output
+  } // namespace Coupling
 } // namespace Tribody

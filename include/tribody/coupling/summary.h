@@ -1,38 +1,16 @@
-#ifndef tribody_output_summary_h
-#define tribody_output_summary_h
+#ifndef tribody_coupling_summary_h
+#define tribody_coupling_summary_h
+
+#include <tribody/coupling/bushing_parameters.h>
+#include <tribody/coupling/mesh_error.h>
 
 #include <string>
 #include <vector>
 
 namespace Tribody
 {
-  namespace Output
+  namespace Coupling
   {
-    /// A published or measured value that a result is shown beside.
-    struct Comparison
-    {
-      /// What it is and where it comes from; empty if there is none.
-      std::string source;
-      /// [m]; zero if not given.
-      double max_wear_depth = 0.;
-      /// [kg]; zero if not given.
-      double worn_mass = 0.;
-    };
-
-    /// How much a result changes from the next coarser mesh to the one that was
-    /// used, relative [-].
-    struct MeshError
-    {
-      /// Bore nodes of both meshes; 0: there is no estimate.
-      unsigned int n_nodes        = 0;
-      unsigned int n_coarse_nodes = 0;
-      /// Of the largest pressure of the first cycle.
-      double max_pressure = 0.;
-      /// Of the maximum depth: worn in the whole run, or in the first cycle.
-      double wear_depth       = 0.;
-      bool   covers_whole_run = false;
-    };
-
     /// What a run says of one bushing; SI units, angles in the bushing's frame.
     struct BushingSummary
     {
@@ -178,7 +156,7 @@ namespace Tribody
     /// @throws ExcRun if the file cannot be written.
     void
     write_summary_json(const std::string &file_name, const RunSummary &summary);
-  } // namespace Output
+  } // namespace Coupling
 } // namespace Tribody
 
 #endif
