@@ -14,11 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include <tribody/coupling/case_parameters.h>
-#include <tribody/multibody/cycle_simulation.h>
-#include <tribody/multibody/duty_cycle.h>
-#include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/mechanism.h>
-#include <tribody/multibody/slow_motion_start.h>
+#include <tribody/multibody/cycle/cycle_simulation.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/motion/slow_motion_start.h>
+#include <tribody/multibody/system/kinematics.h>
+#include <tribody/multibody/system/mechanism.h>
 
 #include <algorithm>
 #include <chrono>

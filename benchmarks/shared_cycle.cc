@@ -7,7 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 
 #include <algorithm>
 #include <chrono>

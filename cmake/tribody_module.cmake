@@ -10,14 +10,17 @@ function(tribody_setup_target _target)
   endif()
 endfunction()
 
-# tribody_module(NAME SOURCES a.cc b.cc ... DEPENDS base surface ...)
+# tribody_module(FOLDER SOURCES a.cc b.cc ... DEPENDS base multibody/joints ...)
 #
-# One static library tribody_NAME per module. DEPENDS lists the modules that
-# it may include; tests/style checks the include graph itself.
-function(tribody_module _name)
+# One static library per folder of source/, tribody_ and its path with
+# underscores: tribody_multibody_joints. DEPENDS lists the folders that it may
+# include; tests/style checks the include graph itself.
+function(tribody_module _folder)
   cmake_parse_arguments(_module "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  string(REPLACE "/" "_" _name ${_folder})
   add_library(tribody_${_name} STATIC ${_module_SOURCES})
   tribody_setup_target(tribody_${_name})
+  list(TRANSFORM _module_DEPENDS REPLACE "/" "_")
   list(TRANSFORM _module_DEPENDS PREPEND tribody_)
   # The plain signature: deal_ii_setup_target uses it, and CMake allows one.
   target_link_libraries(tribody_${_name} ${_module_DEPENDS}

@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 
+#include <tribody/algebra/dense_products.h>
 #include <tribody/contact/active_compliance.h>
-#include <tribody/contact/dense_products.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
+#include <tribody/algebra/hierarchical_compliance.h>
 #include <tribody/contact/compliance.h>
-#include <tribody/contact/hierarchical_compliance.h>
 
 #include <utility>
 

@@ -2,9 +2,9 @@
 
 #include <Eigen/LU>
 
+#include <tribody/algebra/dense_products.h>
 #include <tribody/contact/contact_programme.h>
 #include <tribody/contact/contact_solver.h>
-#include <tribody/contact/dense_products.h>
 #include <tribody/contact/pin_gap.h>
 
 #include <algorithm>

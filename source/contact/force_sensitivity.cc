@@ -1,6 +1,6 @@
 #include <Eigen/LU>
 
-#include <tribody/contact/dense_products.h>
+#include <tribody/algebra/dense_products.h>
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/contact/pin_gap.h>
 #include <tribody/contact/rigid_places.h>

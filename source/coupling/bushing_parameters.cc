@@ -6,7 +6,7 @@
 #include <tribody/base/units.h>
 #include <tribody/coupling/bushing_mesh.h>
 #include <tribody/coupling/bushing_parameters.h>
-#include <tribody/multibody/joint_parameters.h>
+#include <tribody/multibody/joints/joint_parameters.h>
 
 namespace Tribody
 {

@@ -7,8 +7,8 @@
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/coupling/case_parameters.h>
-#include <tribody/multibody/cycle_simulation.h>
-#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/cycle/cycle_simulation.h>
+#include <tribody/multibody/system/mechanism.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <tribody/base/direct_solver.h>
+#include <tribody/algebra/direct_solver.h>
 #include <tribody/contact/pin_gap.h>
 #include <tribody/coupling/uncondensed_contact.h>
 #include <tribody/elasticity/bushing_elasticity.h>

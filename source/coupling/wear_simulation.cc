@@ -4,12 +4,12 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
+#include <tribody/base/significant_digits.h>
 #include <tribody/coupling/make_jump.h>
 #include <tribody/coupling/make_unworn_supports.h>
 #include <tribody/coupling/mesh_resolution.h>
 #include <tribody/coupling/run_summary.h>
 #include <tribody/coupling/wear_simulation.h>
-#include <tribody/multibody/significant_digits.h>
 
 #include <algorithm>
 #include <cmath>

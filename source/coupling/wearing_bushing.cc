@@ -6,7 +6,7 @@
 #include <tribody/contact/force_sensitivity.h>
 #include <tribody/coupling/elastic_support.h>
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/wear/constant_extrapolation.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <tribody/coupling/wearing_pin.h>
-#include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 
 namespace Tribody
 {

@@ -6,8 +6,8 @@
 
 #include <Eigen/LU>
 
-#include <tribody/base/cholesky_factor.h>
-#include <tribody/base/linear_solver.h>
+#include <tribody/algebra/cholesky_factor.h>
+#include <tribody/algebra/linear_solver.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/stiffness.h>
 #include <tribody/elasticity/surface_compliance.h>

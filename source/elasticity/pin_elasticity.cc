@@ -8,7 +8,7 @@
 
 #include <Eigen/LU>
 
-#include <tribody/base/direct_solver.h>
+#include <tribody/algebra/direct_solver.h>
 #include <tribody/elasticity/pin_elasticity.h>
 #include <tribody/elasticity/stiffness.h>
 #include <tribody/surface/boundary_ids.h>

@@ -5,8 +5,8 @@
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
+#include <tribody/algebra/mesh_algebra.h>
 #include <tribody/base/exceptions.h>
-#include <tribody/base/mesh_algebra.h>
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/elasticity/ring_mesh.h>

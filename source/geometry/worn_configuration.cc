@@ -8,8 +8,8 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
+#include <tribody/algebra/linear_solver.h>
 #include <tribody/base/exceptions.h>
-#include <tribody/base/linear_solver.h>
 #include <tribody/base/ranks.h>
 #include <tribody/geometry/worn_configuration.h>
 #include <tribody/surface/boundary_ids.h>

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/base/cholesky_factor.h>
+#include <tribody/algebra/cholesky_factor.h>
 #include <tribody/base/exceptions.h>
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 //   some of which leave, or others enter, or both, to
 //   the rounding times the condition of 1e3.
 
+#include <tribody/algebra/dense_products.h>
 #include <tribody/contact/active_compliance.h>
-#include <tribody/contact/dense_products.h>
 
 #include <algorithm>
 #include <iostream>

@@ -22,8 +22,8 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/tria.h>
 
+#include <tribody/algebra/hierarchical_compliance.h>
 #include <tribody/contact/contact_solver.h>
-#include <tribody/contact/hierarchical_compliance.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/ring_mesh.h>
 

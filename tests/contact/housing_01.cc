@@ -32,7 +32,7 @@
 
 #include <Eigen/QR>
 
-#include <tribody/base/direct_solver.h>
+#include <tribody/algebra/direct_solver.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/ring_mesh.h>

@@ -13,7 +13,7 @@
 
 #include <tribody/coupling/wearing_bushing.h>
 #include <tribody/elasticity/rim_shape.h>
-#include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 
 #include <cmath>
 #include <fstream>

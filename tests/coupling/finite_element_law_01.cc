@@ -33,14 +33,14 @@
 #include <tribody/coupling/elastic_joint.h>
 #include <tribody/coupling/elastic_support.h>
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/multibody/contact_interval.h>
-#include <tribody/multibody/duty_cycle.h>
-#include <tribody/multibody/dynamics_parameters.h>
-#include <tribody/multibody/energy_account.h>
-#include <tribody/multibody/equations_of_motion.h>
-#include <tribody/multibody/mechanism.h>
-#include <tribody/multibody/motion_integrator.h>
-#include <tribody/multibody/reference_scales.h>
+#include <tribody/multibody/cycle/contact_interval.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/motion/dynamics_parameters.h>
+#include <tribody/multibody/motion/energy_account.h>
+#include <tribody/multibody/motion/motion_integrator.h>
+#include <tribody/multibody/motion/reference_scales.h>
+#include <tribody/multibody/system/equations_of_motion.h>
+#include <tribody/multibody/system/mechanism.h>
 
 #include <cmath>
 #include <iostream>

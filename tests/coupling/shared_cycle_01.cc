@@ -10,7 +10,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 
 #include <cmath>
 #include <fstream>

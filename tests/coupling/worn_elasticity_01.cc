@@ -24,7 +24,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <tribody/base/direct_solver.h>
+#include <tribody/algebra/direct_solver.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/elasticity/stiffness.h>

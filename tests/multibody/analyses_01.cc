@@ -25,12 +25,12 @@
 
 #include "report.h"
 #include <tribody/base/exceptions.h>
-#include <tribody/multibody/cycle_simulation.h>
-#include <tribody/multibody/duty_cycle.h>
-#include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/mechanism.h>
-#include <tribody/multibody/motion_integrator.h>
-#include <tribody/multibody/static_equilibrium.h>
+#include <tribody/multibody/cycle/cycle_simulation.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/motion/motion_integrator.h>
+#include <tribody/multibody/motion/static_equilibrium.h>
+#include <tribody/multibody/system/kinematics.h>
+#include <tribody/multibody/system/mechanism.h>
 
 #include <cmath>
 #include <complex>

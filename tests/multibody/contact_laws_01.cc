@@ -21,11 +21,11 @@
 // curve; held below break-away, it is a spring of stiffness sigma_0.
 
 #include "report.h"
-#include <tribody/multibody/dynamics_parameters.h>
-#include <tribody/multibody/equations_of_motion.h>
-#include <tribody/multibody/mechanism.h>
-#include <tribody/multibody/motion_integrator.h>
-#include <tribody/multibody/reference_scales.h>
+#include <tribody/multibody/motion/dynamics_parameters.h>
+#include <tribody/multibody/motion/motion_integrator.h>
+#include <tribody/multibody/motion/reference_scales.h>
+#include <tribody/multibody/system/equations_of_motion.h>
+#include <tribody/multibody/system/mechanism.h>
 
 #include <cmath>
 #include <functional>

@@ -25,10 +25,10 @@
 #include "report.h"
 #include "slider_crank.h"
 #include <tribody/base/exceptions.h>
-#include <tribody/multibody/equations_of_motion.h>
-#include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/motion_integrator.h>
-#include <tribody/multibody/slow_motion_start.h>
+#include <tribody/multibody/motion/motion_integrator.h>
+#include <tribody/multibody/motion/slow_motion_start.h>
+#include <tribody/multibody/system/equations_of_motion.h>
+#include <tribody/multibody/system/kinematics.h>
 
 #include <cmath>
 #include <cstdlib>

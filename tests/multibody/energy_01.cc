@@ -19,13 +19,13 @@
 
 #include "report.h"
 #include "slider_crank.h"
-#include <tribody/multibody/contact_interval.h>
-#include <tribody/multibody/energy_account.h>
-#include <tribody/multibody/equations_of_motion.h>
-#include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/motion_integrator.h>
-#include <tribody/multibody/reactions.h>
-#include <tribody/multibody/reference_scales.h>
+#include <tribody/multibody/cycle/contact_interval.h>
+#include <tribody/multibody/motion/energy_account.h>
+#include <tribody/multibody/motion/motion_integrator.h>
+#include <tribody/multibody/motion/reference_scales.h>
+#include <tribody/multibody/system/equations_of_motion.h>
+#include <tribody/multibody/system/kinematics.h>
+#include <tribody/multibody/system/reactions.h>
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 // first step beyond t = 1, at most 0.1 long, once, and goes on to t = 3 with
 // y = t, which BDF integrates exactly, to the roundings of some 100 steps.
 
-#include <tribody/multibody/ida_integrator.h>
+#include <tribody/sundials/ida_integrator.h>
 
 #include <algorithm>
 #include <cmath>

@@ -14,15 +14,15 @@
 // Penetrations found for a force give that force.
 
 #include "report.h"
-#include <tribody/multibody/angle_driver.h>
-#include <tribody/multibody/applied_force.h>
-#include <tribody/multibody/clearance_joint.h>
-#include <tribody/multibody/distance_driver.h>
-#include <tribody/multibody/massless_link_constraint.h>
-#include <tribody/multibody/rigid_constraint.h>
-#include <tribody/multibody/rotational_spring.h>
-#include <tribody/multibody/spring.h>
-#include <tribody/multibody/translational_constraint.h>
+#include <tribody/multibody/elements/angle_driver.h>
+#include <tribody/multibody/elements/applied_force.h>
+#include <tribody/multibody/elements/distance_driver.h>
+#include <tribody/multibody/elements/massless_link_constraint.h>
+#include <tribody/multibody/elements/rigid_constraint.h>
+#include <tribody/multibody/elements/rotational_spring.h>
+#include <tribody/multibody/elements/spring.h>
+#include <tribody/multibody/elements/translational_constraint.h>
+#include <tribody/multibody/joints/clearance_joint.h>
 #include <tribody/surface/clearance_profile.h>
 
 #include <functional>

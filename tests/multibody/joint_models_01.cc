@@ -22,9 +22,9 @@
 
 #include "report.h"
 #include "slider_crank.h"
-#include <tribody/multibody/intermittent_motion.h>
-#include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/reference_scales.h>
+#include <tribody/multibody/motion/intermittent_motion.h>
+#include <tribody/multibody/motion/reference_scales.h>
+#include <tribody/multibody/system/kinematics.h>
 
 #include <cmath>
 

@@ -12,12 +12,12 @@
 // Without loss the largest penetration is (5 m v^2/(4 K))^0.4.
 
 #include "report.h"
-#include <tribody/multibody/dynamics_parameters.h>
-#include <tribody/multibody/equations_of_motion.h>
-#include <tribody/multibody/kinematics.h>
-#include <tribody/multibody/mechanism.h>
-#include <tribody/multibody/motion_integrator.h>
-#include <tribody/multibody/reference_scales.h>
+#include <tribody/multibody/motion/dynamics_parameters.h>
+#include <tribody/multibody/motion/motion_integrator.h>
+#include <tribody/multibody/motion/reference_scales.h>
+#include <tribody/multibody/system/equations_of_motion.h>
+#include <tribody/multibody/system/kinematics.h>
+#include <tribody/multibody/system/mechanism.h>
 
 #include <cmath>
 

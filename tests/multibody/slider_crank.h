@@ -1,9 +1,9 @@
 #ifndef tests_multibody_slider_crank_h
 #define tests_multibody_slider_crank_h
 
-#include <tribody/multibody/cycle_simulation.h>
-#include <tribody/multibody/duty_cycle.h>
-#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/cycle/cycle_simulation.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/system/mechanism.h>
 
 #include <fstream>
 #include <iostream>

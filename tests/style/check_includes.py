@@ -1,9 +1,9 @@
-"""The modules include only what the architecture allows.
+"""The folders include only what the architecture allows.
 
-Checked are the #include lines of include/tribody/<module>/ and
-source/<module>/, the DEPENDS of source/<module>/CMakeLists.txt, that headers
-do not include each other in a circle, and the include guards. Tests and
-benchmarks may include anything.
+Checked are the #include lines of include/tribody/<folder>/ and
+source/<folder>/, the DEPENDS of source/<folder>/CMakeLists.txt, that headers do
+not include each other in a circle, the include guards, and how many lines a
+folder has. Tests and benchmarks may include anything.
 
 Usage: check_includes.py ROOT
 """
@@ -14,19 +14,33 @@ import sys
 
 from offences import Offences, find_files, read_lines
 
-# What each module may include beside itself. A part that must call another one
-# declares a small interface or takes a function; `coupling` supplies it.
+# What each folder of include/tribody and source may include beside itself, from
+# the bottom up. A part that must call another one declares a small interface or
+# takes a function; who uses both supplies it.
 ALLOWED = {
     "base": set(),
+    "algebra": {"base"},
+    "sundials": {"algebra", "base"},
     "surface": {"base"},
-    "multibody": {"base", "surface"},
-    "elasticity": {"base", "surface"},
-    "geometry": {"base", "surface"},
-    "contact": {"base", "surface"},
-    "wear": {"base", "surface"},
-    "output": {"base", "surface"},
+    "multibody/elements": {"algebra", "base"},
+    "multibody/joints": {"multibody/elements", "surface", "algebra", "base"},
+    "elasticity": {"surface", "algebra", "base"},
+    "geometry": {"surface", "algebra", "base"},
+    "contact": {"surface", "algebra", "base"},
+    "wear": {"sundials", "surface", "algebra", "base"},
+    "output": {"surface", "algebra", "base"},
 }
+ALLOWED["multibody/system"] = ALLOWED["multibody/joints"] | {"multibody/joints"}
+ALLOWED["multibody/motion"] = ALLOWED["multibody/system"] | {
+    "multibody/system",
+    "sundials",
+}
+ALLOWED["multibody/cycle"] = ALLOWED["multibody/motion"] | {"multibody/motion"}
 ALLOWED["coupling"] = set(ALLOWED)
+
+# Lines of a folder, headers and sources together: what more than a warning says
+# has become two things.
+MANY_LINES, TOO_MANY_LINES = 2000, 3500
 
 # Headers that the build writes; they belong to the module that includes them.
 GENERATED = {"tribody_version.h"}
@@ -39,12 +53,13 @@ def may_include(module):
 
 
 def module_of(root, path):
-    """Module of a file, "main" for source/main.cc, None if it has none."""
+    """Folder of a file, "main" for source/main.cc, None if it is in none."""
     parts = os.path.relpath(path, root).split(os.sep)
     if parts == ["source", "main.cc"]:
         return "main"
-    directory = parts[2:] if parts[:2] == ["include", "tribody"] else parts[1:]
-    return directory[0] if len(directory) > 1 and directory[0] in ALLOWED else None
+    inside = parts[2:] if parts[:2] == ["include", "tribody"] else parts[1:]
+    folder = "/".join(inside[:-1])
+    return folder if folder in ALLOWED else None
 
 
 def included_header(root, path, bracket, name):
@@ -73,27 +88,30 @@ def check_includes(root, path, module, offences):
                 path,
                 number,
                 f"{match.group(2)} does not exist; "
-                "write #include <tribody/MODULE/FILE.h>",
+                "write #include <tribody/FOLDER/FILE.h>",
             )
             continue
         found.append((number, header))
         other = module_of(root, header)
         if other is None:
-            offences.add(path, number, f"{match.group(2)} belongs to no module")
+            offences.add(path, number, f"{match.group(2)} belongs to no folder of the table")
         elif module != "main" and other != module and other not in ALLOWED[module]:
             offences.add(
                 path,
                 number,
                 f"{module} must not include {other}; it may include "
                 f"{may_include(module)}. Declare an interface or take a "
-                "function, and let coupling supply it.",
+                "function, and let who uses both supply it.",
             )
     return found
 
 
 def check_guard(root, path, module, offences):
     stem = os.path.splitext(os.path.basename(path))[0]
-    guard = f"tribody_{module}_{re.sub(r'[^A-Za-z0-9]', '_', stem)}_h"
+    guard = "_".join(
+        ["tribody"]
+        + [re.sub(r"[^A-Za-z0-9]", "_", part) for part in (module, stem, "h")]
+    )
     directives = [
         (number, line.split())
         for number, line in enumerate(read_lines(path), 1)
@@ -117,7 +135,7 @@ def check_depends(root, module, offences):
         return
     inside = False
     for number, line in enumerate(read_lines(path), 1):
-        for word in re.findall(r"[A-Za-z_0-9.]+|[()]", line.split("#")[0]):
+        for word in re.findall(r"[A-Za-z_0-9./]+|[()]", line.split("#")[0]):
             if word == "DEPENDS":
                 inside = True
             elif word == ")" or word.isupper():
@@ -154,26 +172,48 @@ def check_circles(graph, offences):
             visit(file)
 
 
+def check_sizes(root, lines, offences):
+    """@param lines of each folder."""
+    for folder, n in lines.items():
+        if n > TOO_MANY_LINES:
+            offences.add(
+                os.path.join(root, "source", folder),
+                n,
+                f"{folder} has {n} lines, {TOO_MANY_LINES} are allowed; find the "
+                "two things that it has become",
+            )
+        elif n > MANY_LINES:
+            print(
+                f"warning: {folder} has {n} lines; above {TOO_MANY_LINES} it must "
+                "be split"
+            )
+
+
 def main(root):
     offences = Offences(root)
     files = find_files(root, ("include", "source"), (".h", ".cc"))
     graph = {}
+    lines = dict.fromkeys(ALLOWED, 0)
     for path in files:
         module = module_of(root, path)
         if module is None:
             offences.add(
                 path,
                 1,
-                "is in no module; it should be in include/tribody/MODULE or "
-                f"source/MODULE with MODULE one of {', '.join(ALLOWED)}",
+                "is in no folder of the table; it should be in "
+                "include/tribody/FOLDER or source/FOLDER with FOLDER one of "
+                f"{', '.join(ALLOWED)}",
             )
             continue
+        if module != "main":
+            lines[module] += len(read_lines(path))
         graph[path] = check_includes(root, path, module, offences)
         if path.endswith(".h"):
             check_guard(root, path, module, offences)
     for module in ALLOWED:
         check_depends(root, module, offences)
     check_circles(graph, offences)
+    check_sizes(root, lines, offences)
     offences.exit(len(files), "source files")
 
 

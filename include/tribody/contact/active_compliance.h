@@ -3,9 +3,9 @@
 
 #include <Eigen/Cholesky>
 
+#include <tribody/algebra/hierarchical_compliance.h>
 #include <tribody/contact/compliance.h>
 #include <tribody/contact/contact_solution.h>
-#include <tribody/contact/hierarchical_compliance.h>
 
 namespace Tribody
 {

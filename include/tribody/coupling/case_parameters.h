@@ -4,8 +4,8 @@
 #include <tribody/base/material.h>
 #include <tribody/coupling/bushing_parameters.h>
 #include <tribody/coupling/wear_parameters.h>
-#include <tribody/multibody/dynamics_parameters.h>
-#include <tribody/multibody/mechanism_parameters.h>
+#include <tribody/multibody/motion/dynamics_parameters.h>
+#include <tribody/multibody/system/mechanism_parameters.h>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #ifndef tribody_coupling_cycle_tables_h
 #define tribody_coupling_cycle_tables_h
 
-#include <tribody/multibody/duty_cycle.h>
-#include <tribody/multibody/mechanism_parameters.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/system/mechanism_parameters.h>
 #include <tribody/output/output_directory.h>
 
 namespace Tribody

@@ -11,7 +11,7 @@
 #include <tribody/coupling/bushing_parameters.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/geometry/worn_configuration.h>
-#include <tribody/multibody/joint_parameters.h>
+#include <tribody/multibody/joints/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
 #include <tribody/wear/wear_profile.h>
 

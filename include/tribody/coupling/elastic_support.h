@@ -2,7 +2,7 @@
 #define tribody_coupling_elastic_support_h
 
 #include <tribody/contact/contact_solver.h>
-#include <tribody/multibody/pin_support.h>
+#include <tribody/multibody/joints/pin_support.h>
 #include <tribody/surface/clearance_profile.h>
 
 #include <memory>

@@ -2,7 +2,7 @@
 #define tribody_coupling_make_unworn_supports_h
 
 #include <tribody/coupling/case_parameters.h>
-#include <tribody/multibody/pin_support.h>
+#include <tribody/multibody/joints/pin_support.h>
 
 #include <map>
 #include <memory>

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include <tribody/multibody/duty_cycle.h>
-#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/system/mechanism.h>
 #include <tribody/output/mechanism_vtu.h>
 
 #include <string>

@@ -2,8 +2,8 @@
 #define tribody_coupling_mesh_resolution_h
 
 #include <tribody/coupling/bushing_parameters.h>
-#include <tribody/multibody/duty_cycle.h>
-#include <tribody/multibody/joint_parameters.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/joints/joint_parameters.h>
 
 namespace Tribody
 {

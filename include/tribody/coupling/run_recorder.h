@@ -5,7 +5,7 @@
 #include <tribody/base/table_writer.h>
 #include <tribody/coupling/case_parameters.h>
 #include <tribody/coupling/run_state.h>
-#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/system/mechanism.h>
 #include <tribody/output/output_directory.h>
 
 #include <chrono>

@@ -3,7 +3,7 @@
 
 #include <tribody/coupling/mesh_error.h>
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/multibody/duty_cycle.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 
 #include <array>
 #include <string>

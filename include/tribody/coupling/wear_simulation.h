@@ -11,8 +11,8 @@
 #include <tribody/coupling/run_state.h>
 #include <tribody/coupling/summary.h>
 #include <tribody/coupling/wearing_bushing.h>
-#include <tribody/multibody/cycle_simulation.h>
-#include <tribody/multibody/mechanism.h>
+#include <tribody/multibody/cycle/cycle_simulation.h>
+#include <tribody/multibody/system/mechanism.h>
 #include <tribody/output/output_directory.h>
 
 #include <exception>

@@ -7,7 +7,7 @@
 #include <tribody/coupling/bushing_parameters.h>
 #include <tribody/coupling/elastic_joint.h>
 #include <tribody/coupling/wearing_pin.h>
-#include <tribody/multibody/joint_parameters.h>
+#include <tribody/multibody/joints/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
 #include <tribody/surface/clearance_profile.h>
 #include <tribody/surface/joint_clearance.h>

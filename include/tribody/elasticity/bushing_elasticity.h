@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <tribody/base/mesh_algebra.h>
+#include <tribody/algebra/mesh_algebra.h>
 #include <tribody/base/ranks.h>
 #include <tribody/elasticity/plane_state.h>
 #include <tribody/elasticity/rim_support.h>

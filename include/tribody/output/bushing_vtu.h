@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include <tribody/base/mesh_algebra.h>
+#include <tribody/algebra/mesh_algebra.h>
 #include <tribody/surface/bore_nodes.h>
 
 #include <string>

@@ -1,0 +1,68 @@
+#ifndef tribody_multibody_cycle_contact_interval_h
+#define tribody_multibody_cycle_contact_interval_h
+
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    struct ContactEvent;
+
+    /// What a pin does in its bushing.
+    enum class ContactState
+    {
+      /// No contact.
+      free = 0,
+      /// A contact shorter than the interval between samples.
+      impact = 1,
+      /// Lasting contact.
+      following = 2
+    };
+
+    /// One contact of a joint, from its onset to its loss.
+    struct ContactInterval
+    {
+      /// When it began [s]; the start of the motion if it began in contact.
+      double onset;
+      /// When it ended [s]; the end of the record if it did not.
+      double loss;
+      /// Whether onset and loss were seen.
+      bool has_onset;
+      bool has_loss;
+      /// Penetration rate at the onset and minus that at the loss [m/s]; zero
+      /// if not seen.
+      double approach_speed;
+      double separation_speed;
+      /// Largest total force [N].
+      double       peak_force;
+      ContactState state;
+    };
+
+    /// What contacts of one joint are listed for.
+    struct ContactWindow
+    {
+      /// Recorded time [s].
+      double begin;
+      double end;
+      /// Start of the motion [s].
+      double motion_begin;
+      /// Contacts shorter than this are impacts [s].
+      double longest_impact;
+      /// Whether there is contact at the end.
+      bool in_contact_at_end;
+    };
+
+    /**
+     * The contacts of clearance joint @p joint that overlap the time of
+     * @p window, from the @p events of the whole motion. The peak force of a
+     * contact without a loss is left zero: no event tells it.
+     */
+    std::vector<ContactInterval>
+    list_contacts(const std::vector<ContactEvent> &events,
+                  const unsigned int               joint,
+                  const ContactWindow             &window);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

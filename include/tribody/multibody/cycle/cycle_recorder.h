@@ -1,0 +1,133 @@
+#ifndef tribody_multibody_cycle_cycle_recorder_h
+#define tribody_multibody_cycle_cycle_recorder_h
+
+#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/joints/clearance_joint.h>
+#include <tribody/multibody/system/mechanism_state.h>
+#include <tribody/multibody/system/reactions.h>
+
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    class EnergyAccount;
+    class EquationsOfMotion;
+    struct Accelerations;
+    struct ContactEvent;
+
+    /**
+     * Turns the states of one cycle into a DutyCycle. It wants them at 2 n + 1
+     * equal times, from half an interval before the first of n samples to half
+     * an interval after the last.
+     */
+    class CycleRecorder
+    {
+    public:
+      CycleRecorder(const EquationsOfMotion &equations,
+                    const unsigned int       n_samples,
+                    const double             period);
+
+      /// Take the exchanged energies from @p account, which must stay alive;
+      /// without, only kinetic and potential energy are recorded.
+      void
+      set_energy_account(const EnergyAccount *account);
+
+      /// Record number @p k, from 0 to 2 n, of a motion: the accelerations and
+      /// reactions are those that the equations of motion give for it. @p
+      /// present are these equations: they know the pins that follow their
+      /// bores.
+      void
+      record(const unsigned int       k,
+             const MechanismState    &state,
+             const EquationsOfMotion &present);
+
+      /// Record number @p k with the given accelerations and reactions.
+      void
+      record(const unsigned int    k,
+             const MechanismState &state,
+             const Accelerations  &accelerations)
+      {
+        record(k, state, accelerations, equations);
+      }
+
+      /// Exchange what has been recorded with @p other, of the same mechanism
+      /// and the same times.
+      void
+      swap_records(CycleRecorder &other);
+
+      /// Largest difference of a joint force to the one that @p other has
+      /// recorded, relative to the joint's largest force.
+      double
+      difference(const CycleRecorder &other) const;
+
+      /// @p events: contact events of the whole run.
+      DutyCycle
+      make_duty_cycle(const std::vector<ContactEvent> &events) const;
+
+    private:
+      void
+      record(const unsigned int       k,
+             const MechanismState    &state,
+             const Accelerations     &accelerations,
+             const EquationsOfMotion &present);
+
+      void
+      fill_contact(const unsigned int joint, JointDutyCycle &result) const;
+
+      void
+      fill_ideal(const unsigned int joint, JointDutyCycle &result) const;
+
+      // With a massless link, or with impacts.
+      void
+      fill_rigid_clearance(const unsigned int joint,
+                           JointDutyCycle    &result) const;
+
+      // The number of @p joint in contact events.
+      unsigned int
+      event_index(const unsigned int joint) const;
+
+      void
+      fill_sliding(const unsigned int joint, JointDutyCycle &result) const;
+
+      void
+      fill_events(const unsigned int               joint,
+                  const std::vector<ContactEvent> &events,
+                  JointDutyCycle                  &result) const;
+
+      JointDutyCycle
+      make_joint(const unsigned int               joint,
+                 const std::vector<ContactEvent> &events) const;
+
+      std::vector<DriverDutyCycle>
+      make_drivers() const;
+
+      EnergyHistory
+      make_energy() const;
+
+      double
+      compute_ringing(const unsigned int joint) const;
+
+      const EquationsOfMotion &equations;
+      const unsigned int       n_samples;
+      const double             period;
+      const EnergyAccount     *energy_account = nullptr;
+
+      // One column per record.
+      Eigen::VectorXd times;
+      Eigen::MatrixXd q;
+      Eigen::MatrixXd v;
+      Eigen::MatrixXd a;
+      // Two rows per joint, x and y.
+      Eigen::MatrixXd forces;
+      // One entry per record.
+      std::vector<Reactions>    reactions;
+      std::vector<EnergyRecord> energies;
+      // [clearance joint][record]
+      std::vector<std::vector<JointContact>> contacts;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,203 @@
+#ifndef tribody_multibody_cycle_duty_cycle_h
+#define tribody_multibody_cycle_duty_cycle_h
+
+#include <Eigen/Core>
+
+#include <tribody/multibody/cycle/contact_interval.h>
+#include <tribody/multibody/motion/energy_record.h>
+#include <tribody/sundials/ida_integrator.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /**
+     * One joint over a cycle; one entry per sample. Forces are those of the
+     * pin (first body) on the bushing (second body), in global axes.
+     *
+     * For an ideal revolute joint, the normal force is the whole reaction and
+     * the contact where it points; friction, eccentricity and penetration are
+     * zero. Other joints have forces only. A kinematic analysis knows no
+     * forces: they are zero.
+     */
+    struct JointDutyCycle
+    {
+      std::string name;
+      bool        is_revolute   = true;
+      bool        has_clearance = false;
+      /// Whether the pin presses by a contact force law, so that EnergyRecord
+      /// has entries for it; else it is rigid.
+      bool has_contact_law = false;
+
+      /// Total force [N].
+      Eigen::VectorXd force_x;
+      Eigen::VectorXd force_y;
+      /// F_N [N], not negative.
+      Eigen::VectorXd normal_force;
+      /// On the bushing along k x n [N], where n points from the bushing's
+      /// centre to the contact: the sign of the sliding speed of the pin.
+      Eigen::VectorXd friction_force;
+      /// Direction of n in the frames of bushing and pin [rad], [0, 2 pi).
+      Eigen::VectorXd contact_angle_bushing;
+      Eigen::VectorXd contact_angle_pin;
+      /// R_j times the angle turned between pin and bushing from half an
+      /// interval before the sample to half an interval after [m], >= 0.
+      Eigen::VectorXd sliding_increment;
+      /// Mean sliding speed in that interval [m/s], not negative.
+      Eigen::VectorXd sliding_speed;
+      /// |e| and delta (negative: gap) [m].
+      Eigen::VectorXd           eccentricity;
+      Eigen::VectorXd           penetration;
+      std::vector<ContactState> state;
+
+      /// Moment on the second body about its marker, the centre of the bushing
+      /// [N m], and where that is in global axes [m].
+      Eigen::VectorXd moment;
+      Eigen::VectorXd point_x;
+      Eigen::VectorXd point_y;
+
+      /// Contacts that began and ended in this cycle.
+      unsigned int n_onsets = 0;
+      unsigned int n_losses = 0;
+      /// All contacts that fall into this cycle, also in part.
+      std::vector<ContactInterval> contacts;
+      /// Parts of the cycle's time in each ContactState [-].
+      std::array<double, 3> state_shares = {{0., 0., 1.}};
+      /// Largest force [N] at any integration step since the start of the
+      /// motion, its impacts included.
+      double peak_force_since_start = 0.;
+      /// Vibration left in the force, relative to its peak: the largest fourth
+      /// difference of the force over half intervals, divided by 16, which
+      /// leaves what alternates and cancels what is smooth [-]. A reversal of
+      /// friction counts too.
+      double residual_ringing = 0.;
+
+      /// If several cycles were recorded: the mean of their peak forces, and
+      /// the standard deviations from cycle to cycle of peak and mean force
+      /// [N].
+      double mean_peak_force      = 0.;
+      double peak_force_deviation = 0.;
+      double mean_force_deviation = 0.;
+
+      /// Magnitude of the total force [N].
+      Eigen::VectorXd
+      force() const;
+
+      double
+      peak_force() const;
+
+      /// Mean of the total force over time [N].
+      double
+      mean_force() const;
+
+      /// Mean of the normal force over the sliding distance [N].
+      double
+      mean_normal_force() const;
+
+      /// Sum of the sliding increments [m].
+      double
+      sliding_distance() const;
+
+      /// Sample at which the force is largest.
+      Eigen::Index
+      peak_sample() const;
+
+      /// Part of the cycle's time in @p wanted [-].
+      double
+      share_of(const ContactState wanted) const;
+    };
+
+    /// What a driver transmits over a cycle; one entry per sample. Forces in
+    /// global axes on the driven body.
+    struct DriverDutyCycle
+    {
+      std::string name;
+      /// [N].
+      Eigen::VectorXd force_x;
+      Eigen::VectorXd force_y;
+      /// About the centre of mass of the driven body [N m].
+      Eigen::VectorXd moment;
+      /// Into the mechanism [W].
+      Eigen::VectorXd power;
+    };
+
+    /// Energies over a cycle and how well they are in balance.
+    struct EnergyHistory
+    {
+      /// At each sample [J].
+      Eigen::VectorXd kinetic;
+      Eigen::VectorXd potential;
+      /// Changes since the cycle began, at each sample.
+      std::vector<EnergyRecord> samples;
+      /// Changes over the whole cycle.
+      EnergyRecord cycle;
+      /// Largest error of the balance in this cycle, relative to the largest of
+      /// its terms in this cycle [-]; the same for the whole motion.
+      double relative_error             = 0.;
+      double relative_error_since_start = 0.;
+    };
+
+    /// How the motion came to repeat itself.
+    struct SettlingReport
+    {
+      /// Cycles that were run, the recorded one included.
+      unsigned int n_cycles = 0;
+      /// Largest change of a joint force from the cycle before, relative to
+      /// that joint's largest force [-].
+      double repeat_difference = 0.;
+      bool   converged         = false;
+      /// Cycles that the recorded samples belong to: more than one if the
+      /// motion does not repeat.
+      unsigned int n_averaged_cycles = 1;
+      /// What did not go as wished; empty if everything did.
+      std::string message;
+    };
+
+    /**
+     * What the dynamics hands on: one cycle of all joints, sampled at equal
+     * times. Sample j stands for the interval of half a spacing before and
+     * after it.
+     */
+    struct DutyCycle
+    {
+      /// Time of one cycle [s].
+      double period = 0.;
+      /// Time since the start of the motion [s].
+      Eigen::VectorXd time;
+      /// 360 j / n [deg].
+      Eigen::VectorXd             phase;
+      std::vector<JointDutyCycle> joints;
+      /// One column per sample: (x, y, phi) of each body [m, rad], their rates
+      /// and second derivatives.
+      Eigen::MatrixXd coordinates;
+      Eigen::MatrixXd velocities;
+      Eigen::MatrixXd accelerations;
+
+      std::vector<DriverDutyCycle> drivers;
+      EnergyHistory                energy;
+
+      SettlingReport settling;
+      /// Largest entry of Phi at any integration step since the start of the
+      /// motion [m, rad].
+      double constraint_drift = 0.;
+      /// The whole run, and the recorded cycle alone.
+      IntegratorStatistics statistics;
+      unsigned long        n_steps_in_cycle = 0;
+
+      /// Make a record of @p n cycles one of an average cycle: every sample
+      /// gets an n-th of its sliding, and the scatter is computed.
+      void
+      average_over(const unsigned int n);
+
+      /// @throws ExcMessage if there is no joint @p name.
+      const JointDutyCycle &
+      joint(const std::string &name) const;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef tribody_multibody_elements_driver_parameters_h
+#define tribody_multibody_elements_driver_parameters_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /**
+     * A motor that prescribes the angle of one body relative to another, or an
+     * actuator that prescribes the distance of two markers: the value at time
+     * 0, plus a constant speed times t, plus an amplitude times an expression
+     * of t. Entries of the other type are ignored.
+     */
+    struct DriverParameters
+    {
+      std::string name;
+      /// "angle" or "distance".
+      std::string type = "angle";
+
+      /// The body that is turned.
+      std::string body;
+      /// The body that its angle is measured from.
+      std::string reference_body = "ground";
+      /// Angular speed, counter-clockwise [rad/s].
+      double speed = 0.;
+      /// Angle at time 0 [rad].
+      double initial_angle = 0.;
+      /// Factor of the time function [rad].
+      double angle_amplitude = 0.;
+
+      /// Ends of an actuator, "<body>.<marker>".
+      std::string first_marker  = "ground.O";
+      std::string second_marker = "ground.O";
+      /// Distance at time 0 [m].
+      double initial_distance = 0.;
+      /// Its constant rate [m/s].
+      double distance_speed = 0.;
+      /// Factor of the time function [m].
+      double distance_amplitude = 0.;
+
+      /// f(t).
+      std::string time_function = "0";
+
+      /// Declares in the current subsection, "Driver <name>".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @throws ExcParameter with paths that start with "Driver <name>".
+      void
+      check() const;
+
+      bool
+      is_angle() const
+      {
+        return type == "angle";
+      }
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

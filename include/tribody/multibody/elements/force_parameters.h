@@ -1,0 +1,63 @@
+#ifndef tribody_multibody_elements_force_parameters_h
+#define tribody_multibody_elements_force_parameters_h
+
+#include <deal.II/base/point.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// A given force at a marker.
+    struct ForceParameters
+    {
+      std::string name;
+      /// Where it acts, "<body>.<marker>".
+      std::string marker = "ground.O";
+      /// Force where the time function is 1 [N].
+      dealii::Point<2> vector;
+      /// "global" or "body".
+      std::string axes = "global";
+      /// Factor as an expression of t.
+      std::string time_function = "1";
+
+      /// Declares in the current subsection, "Force <name>".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      void
+      check() const
+      {}
+    };
+
+    /// A given torque between two bodies.
+    struct TorqueParameters
+    {
+      std::string name;
+      /// The body that it acts on.
+      std::string body;
+      /// The body that takes the reaction.
+      std::string reference_body = "ground";
+      /// Torque where the time function is 1 [N m].
+      double torque = 0.;
+      /// Factor as an expression of t.
+      std::string time_function = "1";
+
+      /// Declares in the current subsection, "Torque <name>".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @throws ExcParameter with paths that start with "Torque <name>".
+      void
+      check() const;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

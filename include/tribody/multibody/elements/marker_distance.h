@@ -1,0 +1,30 @@
+#ifndef tribody_multibody_elements_marker_distance_h
+#define tribody_multibody_elements_marker_distance_h
+
+#include <tribody/multibody/elements/body_pair.h>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// Distance l of two markers, with its derivatives by the coordinates.
+    struct MarkerDistance
+    {
+      /// l [m].
+      double value;
+      /// From the first to the second marker, length 1; zero if they coincide.
+      Eigen::Vector2d direction;
+      /// dl/dq and d2l/dq2; zero if the markers coincide.
+      PairVector gradient;
+      PairMatrix hessian;
+    };
+
+    /// @param s_1 and @p s_2: the markers in the frames of the two bodies.
+    MarkerDistance
+    compute_marker_distance(const PairVector      &q,
+                            const Eigen::Vector2d &s_1,
+                            const Eigen::Vector2d &s_2);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef tribody_multibody_elements_spring_parameters_h
+#define tribody_multibody_elements_spring_parameters_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// A linear spring with damper between two markers.
+    struct SpringParameters
+    {
+      std::string name;
+      /// Its two ends, "<body>.<marker>".
+      std::string first_marker  = "ground.O";
+      std::string second_marker = "ground.O";
+      /// Stiffness [N/m].
+      double stiffness = 0.;
+      /// Length at which the tension is force_at_reference_length [m].
+      double reference_length = 0.;
+      /// Tension at that length [N]; 0 makes it the free length.
+      double force_at_reference_length = 0.;
+      /// Damping [N s/m].
+      double damping = 0.;
+
+      /// Declares in the current subsection, "Spring <name>".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @throws ExcParameter with paths that start with "Spring <name>".
+      void
+      check() const;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,244 @@
+#ifndef tribody_multibody_joints_contact_force_law_h
+#define tribody_multibody_joints_contact_force_law_h
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace Tribody
+{
+  struct Material;
+
+  namespace Multibody
+  {
+    struct JointParameters;
+
+    /// What a law is asked: the state of one contact.
+    struct ContactKinematics
+    {
+      /// Penetration, positive in contact [m].
+      double penetration;
+      /// Its rate [m/s].
+      double penetration_rate;
+      /// Its rate when this contact began, positive [m/s].
+      double approach_speed;
+      /// Normal force [N] with which the elastic surfaces hold the pin at rest
+      /// here; only known, and needed, for FiniteElementLaw.
+      double elastic_force = 0.;
+    };
+
+    /// A normal force with its partial derivatives.
+    struct NormalForce
+    {
+      /// F_N [N], not negative.
+      double value = 0.;
+      /// dF_N/d(penetration) [N/m].
+      double d_penetration = 0.;
+      /// dF_N/d(penetration rate) [N s/m].
+      double d_penetration_rate = 0.;
+      /// dF_N/d(elastic force) [-].
+      double d_elastic_force = 0.;
+    };
+
+    /// Hertz' law without losses, @f$ F_N = K \delta^{3/2} @f$.
+    struct HertzLaw
+    {
+      /// K [N/m^1.5].
+      double stiffness;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * Hertz' law with hysteresis,
+     * @f[ F_N = K \delta^{3/2} \left[1 + \frac{3(1-e_r^2)}{4}
+     *     \frac{\dot\delta}{\dot\delta^-}\right] \ge 0, @f]
+     * with the approach speed @f$\dot\delta^-@f$ at which this contact began.
+     * Eqs. (9) and (10) of @cite mukras2010 after @cite lankarani1990.
+     */
+    struct LankaraniNikraveshLaw
+    {
+      /// K [N/m^1.5].
+      double stiffness;
+      /// e_r [-].
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * Hertz' law with the damping of Hunt and Crossley,
+     * @f[ F_N = K \delta^{3/2} \left[1 + \frac{3(1-e_r)}{2}
+     *     \frac{\dot\delta}{\dot\delta^-}\right] \ge 0, @f]
+     * which takes the restitution coefficient linearly; meant for values near
+     * one. @cite hunt1975.
+     */
+    struct HuntCrossleyLaw
+    {
+      /// K [N/m^1.5].
+      double stiffness;
+      /// e_r [-].
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * Hertz' law with the damping of Flores, Machado, Silva and Martins,
+     * @f[ F_N = K \delta^{3/2} \left[1 + \frac{8(1-e_r)}{5 e_r}
+     *     \frac{\dot\delta}{\dot\delta^-}\right] \ge 0, @f]
+     * made for the whole range of restitution: as e_r falls to zero, the losses
+     * grow without bound. @cite flores2011.
+     */
+    struct FloresLaw
+    {
+      /// K [N/m^1.5].
+      double stiffness;
+      /// e_r [-].
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * The impact pair of Dubowsky and Freudenstein, a linear spring with a
+     * linear damper that cannot pull,
+     * @f[ F_N = k\,\delta + b\,\dot\delta \ge 0. @f]
+     * A mass m that runs into it leaves with @f$ e = \exp(-2 \zeta
+     * \arccos\zeta/\sqrt{1-\zeta^2}) @f$, @f$ \zeta = b/(2\sqrt{k m}) @f$,
+     * whatever its speed. The force jumps by @f$ b\,\dot\delta @f$ when a
+     * contact begins. @cite dubowsky1971.
+     */
+    struct SpringDamperLaw
+    {
+      /// k [N/m].
+      double stiffness;
+      /// b [N s/m].
+      double damping;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * A rigid pin in a bore that is lined with an elastic foundation (Winkler):
+     * springs side by side that do not know each other. At the angle t from
+     * the direction of contact the pin indents it by @f$ u = (c+\delta) \cos t
+     * - c @f$ (linearised in c/R), where that is positive, and
+     * @f$ p = \frac{M}{h} u @f$. The resultant over the arc of half-angle
+     * @f$ t_0 = \arccos\frac{c}{c+\delta} @f$ is, exactly,
+     * @f[ F_N = \frac{M}{h} L R \left[(c+\delta)\,t_0 - c \sin t_0\right],
+     *     \qquad \frac{dF_N}{d\delta} = \frac{M}{h} L R
+     *     \left[t_0 + \sin t_0 \cos t_0\right], @f]
+     * both times the hysteresis factor of LankaraniNikraveshLaw. The clearance
+     * c is that of the bore as manufactured: how closely a worn bore fits the
+     * pin is not told by c(theta). See @cite johnson1985, section 4.3.
+     */
+    struct ElasticFoundationLaw
+    {
+      /// c = R_j - R_i [m].
+      double clearance;
+      /// R = R_j [m].
+      double bore_radius;
+      /// L, along the axis [m].
+      double length;
+      /// M/h [Pa/m]: pressure per indentation.
+      double foundation_modulus;
+      /// e_r [-]; 1: no losses.
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+
+      /// Half-angle t_0 of the arc in contact [rad].
+      double
+      half_angle(const double penetration) const;
+
+      /// p [Pa] at the @p angle t from the direction of contact [rad].
+      double
+      pressure(const double angle, const ContactKinematics &contact) const;
+    };
+
+    /**
+     * The force of the elastic surfaces themselves, which PinSupport computes,
+     * times the hysteresis factor of LankaraniNikraveshLaw. That it depends on
+     * the position of the pin is not part of the law.
+     */
+    struct FiniteElementLaw
+    {
+      /// e_r [-]; 1: no losses.
+      double restitution_coefficient;
+
+      NormalForce
+      normal_force(const ContactKinematics &contact) const;
+    };
+
+    /**
+     * To add a law: a struct like those above, its name in
+     * contact_force_law_names(), its making in make_contact_force_law().
+     */
+    using ContactForceLaw = std::variant<HertzLaw,
+                                         LankaraniNikraveshLaw,
+                                         HuntCrossleyLaw,
+                                         FloresLaw,
+                                         SpringDamperLaw,
+                                         ElasticFoundationLaw,
+                                         FiniteElementLaw>;
+
+    /// What can be chosen as "Contact force law".
+    std::vector<std::string>
+    contact_force_law_names();
+
+    /// Whether the force comes from a PinSupport.
+    inline bool
+    needs_support(const ContactForceLaw &law)
+    {
+      return std::holds_alternative<FiniteElementLaw>(law);
+    }
+
+    /// The law of a joint with clearance.
+    ContactForceLaw
+    make_contact_force_law(const JointParameters &joint);
+
+    /// Normal force under @p law.
+    NormalForce
+    compute_normal_force(const ContactForceLaw   &law,
+                         const ContactKinematics &contact);
+
+    /**
+     * Penetration [m] at which the force is @p normal_force [N], at the given
+     * rate and approach speed: the inverse of compute_normal_force(). Not for
+     * laws that need a PinSupport.
+     */
+    double
+    compute_penetration(const ContactForceLaw &law,
+                        const double           normal_force,
+                        const double           penetration_rate,
+                        const double           approach_speed);
+
+    /**
+     * M [Pa] of a thin layer bonded to a rigid wall, which cannot expand
+     * sideways: @f$ M = \frac{(1-\nu) E}{(1+\nu)(1-2\nu)} @f$.
+     */
+    double
+    compute_layer_modulus(const Material &material);
+
+    /**
+     * Stiffness K [N/m^1.5] of two spheres of radii R_i and R_j, the convex one
+     * in the hollow: @f$ K = \frac{4}{3(h_i+h_j)}
+     * \sqrt{\frac{R_i R_j}{R_i+R_j}} @f$, @f$ h = (1-\nu^2)/E @f$; eq. (10) of
+     * @cite mukras2010, with the sum of the radii as printed there.
+     */
+    double
+    compute_hertz_stiffness(const double    pin_radius,
+                            const double    bushing_radius,
+                            const Material &pin,
+                            const Material &bushing);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

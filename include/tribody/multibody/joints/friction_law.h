@@ -1,0 +1,201 @@
+#ifndef tribody_multibody_joints_friction_law_h
+#define tribody_multibody_joints_friction_law_h
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    struct JointParameters;
+
+    /// Friction force divided by normal force, with its derivatives.
+    struct FrictionRatio
+    {
+      /// F_mu/F_N [-], of the sign of the sliding speed.
+      double value = 0.;
+      /// Its derivative with respect to the sliding speed [s/m].
+      double d_sliding_speed = 0.;
+      /// Its derivative with respect to the law's state [1/m].
+      double d_state = 0.;
+    };
+
+    /// Rate of the state of a law that has one, with its derivatives.
+    struct FrictionStateRate
+    {
+      /// z' [m/s].
+      double value = 0.;
+      /// With respect to the sliding speed [-].
+      double d_sliding_speed = 0.;
+      /// With respect to the state [1/s].
+      double d_state = 0.;
+    };
+
+    /// No friction.
+    struct NoFriction
+    {
+      FrictionRatio
+      ratio(const double sliding_speed) const;
+
+      /// Sliding speed [m/s] over which friction takes its sign; infinite
+      /// without friction. The same below.
+      double
+      transition_speed() const;
+    };
+
+    /// Coulomb's law made smooth, @f$ F_\mu = \mu F_N \tanh(v_t/v_0) @f$.
+    struct RegularisedCoulombFriction
+    {
+      /// mu [-].
+      double coefficient;
+      /// v_0 [m/s].
+      double regularisation_speed;
+
+      FrictionRatio
+      ratio(const double sliding_speed) const;
+
+      double
+      transition_speed() const;
+    };
+
+    /**
+     * Coulomb's law as Ambrosio changed it for numerical integration,
+     * @f[ F_\mu = \mu\,c_d F_N\,\mathrm{sgn}\,v_t, \qquad
+     *     c_d = \min\left(1, \max\left(0, \frac{|v_t| - v_0}{v_1 - v_0}
+     *     \right)\right): @f]
+     * none below @f$v_0@f$, all of it above @f$v_1@f$. @cite ambrosio2003.
+     */
+    struct AmbrosioFriction
+    {
+      /// mu [-].
+      double coefficient;
+      /// v_0 and v_1 [m/s].
+      double lower_speed;
+      double upper_speed;
+
+      FrictionRatio
+      ratio(const double sliding_speed) const;
+
+      double
+      transition_speed() const;
+    };
+
+    /**
+     * How friction falls from its static to its kinetic value as the speed
+     * grows, @f$ g(v) = \mu_k + (\mu_s - \mu_k) \exp(-(v/v_s)^2) @f$.
+     */
+    struct StribeckCurve
+    {
+      /// mu_k and mu_s [-].
+      double kinetic_coefficient;
+      double static_coefficient;
+      /// v_s [m/s].
+      double stribeck_speed;
+
+      double
+      value(const double speed) const;
+
+      double
+      derivative(const double speed) const;
+    };
+
+    /**
+     * Friction with Stribeck's effect and a viscous part,
+     * @f$ F_\mu = F_N\,[g(v_t) \tanh(v_t/v_0) + \sigma_2 v_t] @f$, made
+     * smooth as in RegularisedCoulombFriction. @cite olsson1998.
+     */
+    struct StribeckFriction
+    {
+      StribeckCurve curve;
+      /// v_0 [m/s].
+      double regularisation_speed;
+      /// sigma_2 [s/m].
+      double viscous_coefficient;
+
+      FrictionRatio
+      ratio(const double sliding_speed) const;
+
+      double
+      transition_speed() const;
+    };
+
+    /**
+     * The LuGre law. Bristles of the surfaces bend by z before they slip,
+     * @f[ \dot z = v_t - \frac{\sigma_0 |v_t|}{g(v_t)} z, \qquad
+     *     F_\mu = F_N\,[\sigma_0 z + \sigma_1 \dot z + \sigma_2 v_t], @f]
+     * so that friction sticks, with the stiffness @f$\sigma_0 F_N@f$, and
+     * slides with @f$ F_\mu = F_N\,[g\,\mathrm{sgn}\,v_t + \sigma_2 v_t] @f$.
+     * The coefficients are those of a unit normal force. @cite canudas1995.
+     */
+    struct LuGreFriction
+    {
+      StribeckCurve curve;
+      /// sigma_0 [1/m], sigma_1 [s/m], sigma_2 [s/m].
+      double bristle_stiffness;
+      double bristle_damping;
+      double viscous_coefficient;
+
+      FrictionRatio
+      ratio(const double sliding_speed, const double state) const;
+
+      FrictionStateRate
+      state_rate(const double sliding_speed, const double state) const;
+
+      /// z [m] that stays as it is at this sliding speed.
+      double
+      steady_state(const double sliding_speed) const;
+
+      double
+      transition_speed() const;
+    };
+
+    /**
+     * To add a law: a struct like those above, its name in
+     * friction_law_names(), its making in make_friction_law().
+     */
+    using FrictionLaw = std::variant<NoFriction,
+                                     RegularisedCoulombFriction,
+                                     AmbrosioFriction,
+                                     StribeckFriction,
+                                     LuGreFriction>;
+
+    /// What can be chosen as "Friction law".
+    std::vector<std::string>
+    friction_law_names();
+
+    /// The law of a joint with clearance.
+    FrictionLaw
+    make_friction_law(const JointParameters &joint);
+
+    /// Whether @p law remembers: has a state z.
+    bool
+    has_state(const FrictionLaw &law);
+
+    /// Friction under @p law at the @p sliding_speed [m/s]; the @p state [m] is
+    /// of laws that have one.
+    FrictionRatio
+    compute_friction_ratio(const FrictionLaw &law,
+                           const double       sliding_speed,
+                           const double       state = 0.);
+
+    /// z' under @p law; zero for a law without a state.
+    FrictionStateRate
+    compute_friction_state_rate(const FrictionLaw &law,
+                                const double       sliding_speed,
+                                const double       state);
+
+    /// The state [m] that lasts at a constant @p sliding_speed; zero for a law
+    /// without one.
+    double
+    compute_steady_friction_state(const FrictionLaw &law,
+                                  const double       sliding_speed);
+
+    /// Sliding speed [m/s] over which friction takes its sign.
+    double
+    compute_transition_speed(const FrictionLaw &law);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

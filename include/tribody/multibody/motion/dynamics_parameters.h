@@ -1,0 +1,56 @@
+#ifndef tribody_multibody_motion_dynamics_parameters_h
+#define tribody_multibody_motion_dynamics_parameters_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// How the motion of a mechanism is integrated and recorded.
+    struct DynamicsParameters
+    {
+      /// "automatic", "kinematic", "inverse dynamics", "dynamic" or
+      /// "static equilibrium".
+      std::string analysis = "automatic";
+      /// Time of one recorded cycle [s]; 0: one turn of the first driver.
+      double cycle_duration = 0.;
+      /// Local error allowed in a penetration, relative to its size [-].
+      double accuracy = 3e-4;
+      /// Highest order of BDF; 0: 2 with clearance joints, 5 without.
+      unsigned int maximum_order = 0;
+      /// Samples of a duty cycle, at equal times.
+      unsigned int samples_per_cycle = 72;
+      /// Largest change of a joint force from one cycle to the next, relative
+      /// to the largest force, that counts as repeating [-].
+      double settling_tolerance = 5e-3;
+      /// Cycles that are run at most before one is taken as it is; 0: the
+      /// first one is.
+      unsigned int maximum_settling_cycles = 20;
+      /// Cycles that are averaged if the motion does not repeat.
+      unsigned int averaged_cycles = 10;
+      /// Integration steps in one cycle after which the run is given up.
+      unsigned int maximum_steps_per_cycle = 1000000;
+      /// "slow motion", "centred" or "static equilibrium".
+      std::string start = "slow motion";
+      /// "without wear", "always" or "never": what a run without wear means is
+      /// up to the caller; only "always" counts here.
+      std::string energy_balance = "without wear";
+
+      /// Declares in the current subsection, "Dynamics".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @throws ExcParameter with paths that start with "Dynamics".
+      void
+      check() const;
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,163 @@
+#ifndef tribody_multibody_system_kinematics_h
+#define tribody_multibody_system_kinematics_h
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace Tribody
+{
+  struct SolverReport;
+
+  namespace Multibody
+  {
+    class EquationsOfMotion;
+    class Mechanism;
+
+    /**
+     * A motion added to the constraints: Phi(q, t) = value. Used to place the
+     * pin of a joint at a known eccentricity. One entry per constraint.
+     */
+    struct ConstraintOffsets
+    {
+      explicit ConstraintOffsets(const unsigned int n_constraints);
+
+      Eigen::VectorXd value;
+      Eigen::VectorXd first_derivative;
+      Eigen::VectorXd second_derivative;
+    };
+
+    /// Accelerations [m/s^2, rad/s^2] and Lagrange multipliers [N, N m].
+    struct Accelerations
+    {
+      Eigen::VectorXd a;
+      Eigen::VectorXd multipliers;
+    };
+
+    /**
+     * Solve Phi(q, t) = offsets for the configuration nearest to @p q by
+     * Newton's method, with steps of least length (angles times the size of
+     * the mechanism) while the mechanism has degrees of freedom.
+     * @return how it ended; q is improved in place. The residual is in units
+     *   of the mechanism's size.
+     */
+    SolverReport
+    solve_positions(const EquationsOfMotion &equations,
+                    const double             t,
+                    const ConstraintOffsets &offsets,
+                    Eigen::VectorXd         &q);
+
+    /// The smallest velocities (in the same sense) with
+    /// Phi_q v + Phi_t = d(offsets)/dt.
+    Eigen::VectorXd
+    compute_velocities(const EquationsOfMotion &equations,
+                       const double             t,
+                       const ConstraintOffsets &offsets,
+                       const Eigen::VectorXd   &q);
+
+    /// The velocities nearest to the initial ones of the parameters (in the
+    /// same sense) with Phi_q v + Phi_t = 0.
+    Eigen::VectorXd
+    compute_initial_velocities(const EquationsOfMotion &equations,
+                               const double             t,
+                               const Eigen::VectorXd   &q);
+
+    /// The smallest accelerations that Phi_q a + (Phi_q v)_q v + Phi_tt = 0
+    /// allows: eq. (5) of @cite mukras2010. Without degrees of freedom they are
+    /// the accelerations, whatever the masses are.
+    Eigen::VectorXd
+    compute_kinematic_accelerations(const EquationsOfMotion &equations,
+                                    const double             t,
+                                    const Eigen::VectorXd   &q,
+                                    const Eigen::VectorXd   &v);
+
+    /**
+     * Accelerations and multipliers from
+     * @f[ \begin{pmatrix} M & \Phi_q^T \\ \Phi_q & 0 \end{pmatrix}
+     *     \begin{pmatrix} a \\ \lambda \end{pmatrix} =
+     *     \begin{pmatrix} Q \\ \ddot{o} - (\Phi_q v)_q v - \Phi_{tt}
+     *     \end{pmatrix}, @f]
+     * with o the offsets and Q the applied @p forces: inverse dynamics if the
+     * mechanism has no degree of freedom, the exact reactions otherwise.
+     */
+    Accelerations
+    compute_accelerations(const EquationsOfMotion &equations,
+                          const double             t,
+                          const ConstraintOffsets &offsets,
+                          const Eigen::VectorXd   &q,
+                          const Eigen::VectorXd   &v,
+                          const Eigen::VectorXd   &forces);
+
+    /// Positions, velocities, accelerations and multipliers at one instant.
+    struct Motion
+    {
+      Eigen::VectorXd q;
+      Eigen::VectorXd v;
+      Eigen::VectorXd a;
+      Eigen::VectorXd multipliers;
+    };
+
+    /**
+     * Kinematics and inverse dynamics of a mechanism without degrees of freedom
+     * and without clearance joints at time @p t: positions near @p q_guess,
+     * then everything else in turn. @p extra_forces are added to gravity and
+     * springs. @throws ExcRun if there is no such position, naming the joint
+     *   that cannot be closed.
+     */
+    Motion
+    solve_motion(const EquationsOfMotion &equations,
+                 const double             t,
+                 const ConstraintOffsets &offsets,
+                 const Eigen::VectorXd   &extra_forces,
+                 const Eigen::VectorXd   &q_guess);
+
+    /**
+     * The configuration at time @p t near the guess in the parameters.
+     * @throws ExcParameter naming the joint that cannot be closed and the gap
+     *   that remains.
+     */
+    Eigen::VectorXd
+    assemble_configuration(const EquationsOfMotion &equations, const double t);
+
+    /**
+     * Make sure that a mechanism without degrees of freedom has a position, and
+     * not a singular one, at each of @p n_steps equal steps through the time
+     * @p period from time 0 on. @throws ExcParameter with where the drivers are
+     * when it locks, and the joints.
+     */
+    void
+    check_full_cycle(const EquationsOfMotion &equations,
+                     const double             period,
+                     const unsigned int       n_steps);
+
+    /**
+     * Make sure that the accelerations are determined: what the constraints
+     * leave free at @p q must have a mass. @throws ExcParameter naming a body
+     * without.
+     */
+    void
+    check_masses(const EquationsOfMotion &equations, const Eigen::VectorXd &q);
+
+    /**
+     * Why a motion may have ended that was at @p q at time @p t and has not
+     * reached the time @p t_next: joints that cannot be closed any more, or
+     * whose constraints have become dependent. A sentence that begins with a
+     * blank; empty if neither is the case.
+     */
+    std::string
+    explain_end_of_motion(const EquationsOfMotion &equations,
+                          const double             t,
+                          const double             t_next,
+                          const Eigen::VectorXd   &q);
+
+    /**
+     * Make sure that no constraint follows from the others at @p q (rank of
+     * Phi_q). @throws ExcParameter naming the joints and drivers involved.
+     */
+    void
+    check_redundancy(const EquationsOfMotion &equations,
+                     const Eigen::VectorXd   &q);
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

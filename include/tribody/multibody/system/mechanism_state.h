@@ -1,0 +1,29 @@
+#ifndef tribody_multibody_system_mechanism_state_h
+#define tribody_multibody_system_mechanism_state_h
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    /// The state of a mechanism at one instant.
+    struct MechanismState
+    {
+      /// Time [s].
+      double time = 0.;
+      /// Coordinates [m, rad] and velocities [m/s, rad/s].
+      Eigen::VectorXd q;
+      Eigen::VectorXd v;
+      /// Approach speed at which the present or last contact of each clearance
+      /// joint began [m/s].
+      std::vector<double> approach_speeds;
+      /// States z of the friction laws that have one [m].
+      Eigen::VectorXd friction_states = Eigen::VectorXd();
+    };
+  } // namespace Multibody
+} // namespace Tribody
+
+#endif

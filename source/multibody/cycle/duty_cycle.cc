@@ -1,0 +1,116 @@
+#include <deal.II/base/exceptions.h>
+
+#include <tribody/multibody/cycle/duty_cycle.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    Eigen::VectorXd
+    JointDutyCycle::force() const
+    {
+      return (force_x.array().square() + force_y.array().square()).sqrt();
+    }
+
+
+
+    double
+    JointDutyCycle::peak_force() const
+    {
+      return force().maxCoeff();
+    }
+
+
+
+    Eigen::Index
+    JointDutyCycle::peak_sample() const
+    {
+      Eigen::Index sample = 0;
+      force().maxCoeff(&sample);
+      return sample;
+    }
+
+
+
+    double
+    JointDutyCycle::mean_force() const
+    {
+      return force().mean();
+    }
+
+
+
+    double
+    JointDutyCycle::mean_normal_force() const
+    {
+      const double distance = sliding_distance();
+      return distance > 0 ? normal_force.dot(sliding_increment) / distance
+                          : normal_force.mean();
+    }
+
+
+
+    double
+    JointDutyCycle::sliding_distance() const
+    {
+      return sliding_increment.sum();
+    }
+
+
+
+    double
+    JointDutyCycle::share_of(const ContactState wanted) const
+    {
+      return state_shares[static_cast<unsigned int>(wanted)];
+    }
+
+
+
+    const JointDutyCycle &
+    DutyCycle::joint(const std::string &name) const
+    {
+      const auto found = std::find_if(joints.begin(),
+                                      joints.end(),
+                                      [&](const JointDutyCycle &joint) {
+                                        return joint.name == name;
+                                      });
+      AssertThrow(found != joints.end(),
+                  dealii::ExcMessage("There is no joint '" + name + "'."));
+      return *found;
+    }
+
+
+
+    void
+    DutyCycle::average_over(const unsigned int n)
+    {
+      settling.n_averaged_cycles = n;
+      period /= n;
+      const Eigen::Index n_samples = phase.size() / n;
+      for (Eigen::Index s = 0; s < phase.size(); ++s)
+        phase(s) = 360. * (s % n_samples) / n_samples;
+      const auto deviation = [](const Eigen::VectorXd &x) {
+        return std::sqrt((x.array() - x.mean()).square().sum() /
+                         std::max<Eigen::Index>(1, x.size() - 1));
+      };
+      for (JointDutyCycle &joint : joints)
+        {
+          joint.sliding_increment /= n;
+          const Eigen::VectorXd force = joint.force();
+          Eigen::VectorXd       peaks(n), means(n);
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const auto cycle = force.segment(k * n_samples, n_samples);
+              peaks(k)         = cycle.maxCoeff();
+              means(k)         = cycle.mean();
+            }
+          joint.mean_peak_force      = peaks.mean();
+          joint.peak_force_deviation = deviation(peaks);
+          joint.mean_force_deviation = deviation(means);
+        }
+    }
+  } // namespace Multibody
+} // namespace Tribody

@@ -1,0 +1,147 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
+#include <tribody/multibody/motion/dynamics_parameters.h>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    void
+    DynamicsParameters::add_parameters(dealii::ParameterHandler &prm)
+    {
+      Parameters::add_choice(
+        prm,
+        "Analysis",
+        analysis,
+        {"automatic",
+         "kinematic",
+         "inverse dynamics",
+         "dynamic",
+         "static equilibrium"},
+        "'kinematic': positions, velocities and accelerations from joints and "
+        "drivers alone; no forces, masses are not used. 'inverse dynamics': "
+        "the "
+        "same, and the reactions of joints and drivers in that motion. Both "
+        "need drivers for all degrees of freedom and no clearance. 'dynamic': "
+        "the equations of motion are integrated. 'static equilibrium': "
+        "positions in which gravity, springs, forces and contacts balance, at "
+        "each sample with the drivers where they are then. 'automatic': "
+        "inverse dynamics without degrees of freedom, dynamic otherwise.");
+      Parameters::add_quantity(
+        prm,
+        "Cycle duration",
+        cycle_duration,
+        "s",
+        "Time of one recorded cycle. 0 s: one turn of the first driver. It "
+        "must be set where no driver turns; a static equilibrium without "
+        "drivers needs none.");
+      Parameters::add_quantity(
+        prm,
+        "Accuracy",
+        accuracy,
+        "",
+        "Local error allowed in one integration step, relative to the "
+        "expected penetration of a joint with clearance (if there is none, "
+        "1e-4 of the mechanism's size, and for velocities that in the time "
+        "of a cycle over 2 pi). 3e-4 gives joint forces to better than 0.1 %. "
+        "If the clearance of a joint is more than ten penetrations, so that "
+        "its pin strikes, a tenth of this is allowed: every impact multiplies "
+        "errors.");
+      Parameters::add_integer(
+        prm,
+        "Maximum order",
+        maximum_order,
+        "Highest order of the BDF method. 0 takes 2 for mechanisms with a "
+        "joint whose clearance is less than ten penetrations and 5 for others: "
+        "orders above 2 are unstable for the lightly damped vibration of such "
+        "a joint.",
+        0,
+        5);
+      Parameters::add_integer(prm,
+                              "Samples per cycle",
+                              samples_per_cycle,
+                              "Number of equal time steps at which a duty "
+                              "cycle is recorded.",
+                              8,
+                              100000);
+      Parameters::add_quantity(
+        prm,
+        "Settling tolerance",
+        settling_tolerance,
+        "",
+        "A motion counts as settled when the joint forces differ from those "
+        "of the cycle before by less than this part of the largest force.");
+      Parameters::add_integer(prm,
+                              "Maximum settling cycles",
+                              maximum_settling_cycles,
+                              "Cycles that are run before the last one is "
+                              "recorded although the motion does not repeat; "
+                              "the report says so. 0 records the first cycle, "
+                              "from the start, whether it repeats or not.",
+                              0,
+                              100000);
+      Parameters::add_integer(
+        prm,
+        "Averaged cycles",
+        averaged_cycles,
+        "If the motion does not repeat within the settling tolerance: number "
+        "of cycles that are recorded after that. All their samples make up the "
+        "duty cycle, each with its share of one cycle's sliding; means are "
+        "over "
+        "all of them, and their scatter from cycle to cycle is reported. 1 "
+        "takes the last cycle as it is.",
+        1,
+        10000);
+      Parameters::add_integer(prm,
+                              "Maximum steps per cycle",
+                              maximum_steps_per_cycle,
+                              "Integration steps in one cycle after which "
+                              "the run stops with an error.",
+                              100,
+                              2000000000);
+      Parameters::add_choice(
+        prm,
+        "Start",
+        start,
+        {"slow motion", "centred", "static equilibrium"},
+        "How a mechanism with clearance joints starts. 'slow motion': with "
+        "every pin touching its bushing, such that contact and friction "
+        "forces balance the motion without vibration; where no such start is "
+        "found, as 'centred', which is reported. 'centred': with every pin in "
+        "the middle of its bushing, so that the first contact is an impact. "
+        "'static equilibrium': any mechanism, in the position in which forces "
+        "and contacts balance.");
+      Parameters::add_choice(
+        prm,
+        "Energy balance",
+        energy_balance,
+        {"without wear", "always", "never"},
+        "Whether to add up the work of drivers and forces and what dampers, "
+        "contacts and friction take. Then the energies in energy_NNNN.csv tell "
+        "where the work goes, and what is missing in the balance tells how "
+        "exact the motion is. It takes about half as long again as the motion "
+        "alone; 'without wear' does it for runs with Cycles = 0 only.");
+    }
+
+
+
+    void
+    DynamicsParameters::check() const
+    {
+      AssertThrow(accuracy > 1e-12 && accuracy <= 0.1,
+                  ExcParameter("Dynamics/Accuracy",
+                               "must be between 1e-12 and 0.1, not " +
+                                 Units::to_string(accuracy, "", "")));
+      AssertThrow(cycle_duration >= 0,
+                  ExcParameter("Dynamics/Cycle duration",
+                               "must be positive, or 0 s for one turn of the "
+                               "first driver, not " +
+                                 Units::to_string(cycle_duration, "s", "s")));
+      AssertThrow(settling_tolerance > 0,
+                  ExcParameter("Dynamics/Settling tolerance",
+                               "must be positive, not " +
+                                 Units::to_string(settling_tolerance, "", "")));
+    }
+  } // namespace Multibody
+} // namespace Tribody

@@ -1,0 +1,390 @@
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameters.h>
+#include <tribody/multibody/elements/angle_driver.h>
+#include <tribody/multibody/elements/distance_driver.h>
+#include <tribody/multibody/elements/rigid_constraint.h>
+#include <tribody/multibody/elements/translational_constraint.h>
+#include <tribody/multibody/system/mechanism.h>
+
+#include <algorithm>
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    namespace
+    {
+      Eigen::Vector2d
+      to_eigen(const dealii::Point<2> &p)
+      {
+        return {p[0], p[1]};
+      }
+    } // namespace
+
+
+
+    Mechanism::Mechanism(const MechanismParameters &parameters)
+      : the_parameters(parameters)
+    {
+      parameters.check();
+      add_bodies();
+      for (const JointParameters &joint : parameters.joints)
+        add_joint(joint);
+      for (const DriverParameters &driver : parameters.drivers)
+        add_driver(driver);
+      for (const SpringParameters &spring : parameters.springs)
+        add_spring(spring);
+      for (const auto &spring : parameters.rotational_springs)
+        add_rotational_spring(spring);
+      for (const ForceParameters &force : parameters.forces)
+        add_force(force);
+      for (const TorqueParameters &torque : parameters.torques)
+        add_torque(torque);
+    }
+
+
+
+    bool
+    Mechanism::has_turning_driver() const
+    {
+      return !the_parameters.drivers.empty() &&
+             the_parameters.drivers.front().is_angle() &&
+             the_parameters.drivers.front().speed != 0;
+    }
+
+
+
+    double
+    Mechanism::period() const
+    {
+      const std::string hint =
+        ", but a cycle is one turn of the first driver at its 'Speed'. Where "
+        "nothing turns, 'Dynamics/Cycle duration' says how long a cycle is";
+      AssertThrow(!the_parameters.drivers.empty(),
+                  ExcParameter("Drivers", "is empty" + hint));
+      const DriverParameters &driver = the_parameters.drivers.front();
+      AssertThrow(driver.is_angle(),
+                  ExcParameter("Driver " + driver.name + "/Type",
+                               "is '" + driver.type + "'" + hint));
+      AssertThrow(driver.speed != 0,
+                  ExcParameter("Driver " + driver.name + "/Speed",
+                               "is zero" + hint));
+      return 2 * M_PI / std::abs(driver.speed);
+    }
+
+
+
+    int
+    Mechanism::find_body(const std::string &path, const std::string &name) const
+    {
+      if (name == "ground")
+        return ground_body;
+      std::vector<std::string> names = {"ground"};
+      for (unsigned int i = 0; i < the_parameters.bodies.size(); ++i)
+        if (the_parameters.bodies[i].name == name)
+          return i;
+        else
+          names.push_back(the_parameters.bodies[i].name);
+
+      std::string valid;
+      for (const std::string &candidate : names)
+        valid += (valid.empty() ? "" : ", ") + candidate;
+      AssertThrow(false,
+                  ExcParameter(path,
+                               "there is no body '" + name +
+                                 "'; the bodies are " + valid));
+      return ground_body;
+    }
+
+
+
+    Marker
+    Mechanism::find_marker(const std::string &path,
+                           const std::string &name) const
+    {
+      const std::string::size_type dot = name.find('.');
+      AssertThrow(dot != std::string::npos,
+                  ExcParameter(path,
+                               "'" + name +
+                                 "' is not a marker; write <body>.<marker>"));
+      const std::string body_name = name.substr(0, dot);
+      const int         body      = find_body(path, body_name);
+      const std::map<std::string, dealii::Point<2>> &markers =
+        (body == ground_body) ? the_parameters.ground.markers
+                              : the_parameters.bodies[body].markers;
+
+      std::string valid;
+      for (const auto &[marker, position] : markers)
+        valid += (valid.empty() ? "" : ", ") + body_name + "." + marker;
+      const auto found = markers.find(name.substr(dot + 1));
+      AssertThrow(found != markers.end(),
+                  ExcParameter(path,
+                               "there is no marker '" + name +
+                                 "'; the markers are " + valid));
+      return {body, to_eigen(found->second)};
+    }
+
+
+
+    void
+    Mechanism::add_bodies()
+    {
+      the_masses.resize(n_coordinates());
+      the_weights.resize(n_coordinates());
+      the_initial_coordinates.resize(n_coordinates());
+      the_initial_velocities.resize(n_coordinates());
+      const Eigen::Vector2d gravity = to_eigen(the_parameters.gravity);
+      for (unsigned int i = 0; i < the_parameters.bodies.size(); ++i)
+        {
+          const BodyParameters &body = the_parameters.bodies[i];
+          the_masses.segment<3>(3 * i) << body.mass, body.mass,
+            body.moment_of_inertia;
+          the_weights.segment<3>(3 * i) << body.mass * gravity, 0.;
+          the_initial_coordinates.segment<3>(3 * i)
+            << to_eigen(body.initial_position),
+            body.initial_angle;
+          the_initial_velocities.segment<3>(3 * i)
+            << to_eigen(body.initial_velocity),
+            body.initial_angular_velocity;
+          for (const auto &[name, position] : body.markers)
+            the_size = std::max(the_size, position.norm());
+        }
+      // A single body that turns about its centre of mass has no length.
+      if (the_size == 0)
+        the_size = 1.;
+    }
+
+
+
+    void
+    Mechanism::add_joint(const JointParameters &joint)
+    {
+      const std::string path  = "Joint " + joint.name;
+      JointEntry        entry = {joint.name,
+                                 joint.has_clearance(),
+                                 static_cast<unsigned int>(the_constraints.size()),
+                                 joint.is_revolute(),
+                                 joint.bushing_radius,
+                                 {},
+                                 {},
+                                 {},
+                                 JointModel::ideal,
+                                 nullptr};
+      Marker            first, second;
+      if (joint.is_revolute())
+        {
+          first  = find_marker(path + "/Pin marker", joint.pin_marker);
+          second = find_marker(path + "/Bushing marker", joint.bushing_marker);
+        }
+      else
+        {
+          first  = find_marker(path + "/First marker", joint.first_marker);
+          second = find_marker(path + "/Second marker", joint.second_marker);
+        }
+      AssertThrow(first.body != second.body,
+                  ExcParameter(path,
+                               "connects a body with itself: both of its "
+                               "markers are on the same one"));
+      entry.bodies          = {first.body, second.body};
+      entry.first_position  = first.position;
+      entry.second_position = second.position;
+
+      if (joint.has_clearance())
+        {
+          entry.index = the_clearance_joints.size();
+          entry.model = JointModel::clearance;
+          add_clearance_joint(joint, first, second);
+        }
+      else if (joint.has_gap())
+        add_rigid_clearance(joint, first, second, entry);
+      else if (joint.is_revolute())
+        add_constraint(
+          std::make_shared<RevoluteConstraint>(path, first, second));
+      else if (joint.type == "translational")
+        add_constraint(std::make_shared<TranslationalConstraint>(
+          path, first, second, joint.axis_angle, joint.relative_angle));
+      else if (joint.type == "rigid")
+        add_constraint(std::make_shared<RigidConstraint>(
+          path, first, second, joint.relative_angle));
+      else
+        add_constraint(std::make_shared<PointOnLineConstraint>(
+          path, first, second, joint.axis_angle));
+      the_joints.push_back(entry);
+    }
+
+
+
+    void
+    Mechanism::add_clearance_joint(const JointParameters &joint,
+                                   const Marker          &pin,
+                                   const Marker          &bushing)
+    {
+      the_clearance_joints.push_back({joint.name,
+                                      {pin.body, bushing.body},
+                                      pin.position,
+                                      bushing.position,
+                                      joint.pin_radius,
+                                      joint.bushing_radius,
+                                      make_contact_force_law(joint),
+                                      make_friction_law(joint),
+                                      joint.tangential_damping,
+                                      joint.minimum_approach_speed});
+      ClearanceJoint &made = the_clearance_joints.back();
+      if (has_state(made.friction_law))
+        made.friction_state_index = n_states++;
+      made.penetration_measure =
+        joint.worn_contact_geometry == "scalar clearance"
+          ? PenetrationMeasure::scalar
+          : PenetrationMeasure::deepest;
+    }
+
+
+
+    void
+    Mechanism::add_rigid_clearance(const JointParameters &joint,
+                                   const Marker          &pin,
+                                   const Marker          &bushing,
+                                   JointEntry            &entry)
+    {
+      const auto link =
+        std::make_shared<const MasslessLinkConstraint>("Joint " + joint.name,
+                                                       pin,
+                                                       bushing,
+                                                       joint.bushing_radius -
+                                                         joint.pin_radius);
+      entry.link              = link;
+      entry.model             = joint.model == "impact" ? JointModel::flying
+                                : joint.model == "following" ? JointModel::following
+                                                             : JointModel::massless_link;
+      const bool is_following = entry.model == JointModel::following;
+      if (entry.model != JointModel::massless_link)
+        the_impact_joints.push_back(
+          {static_cast<unsigned int>(the_joints.size()),
+           link,
+           joint.pin_radius,
+           joint.bushing_radius,
+           joint.restitution_coefficient,
+           joint.friction_law == "none" ? 0. : joint.friction_coefficient,
+           joint.capture_speed,
+           is_following,
+           n_equations});
+      if (entry.model == JointModel::flying)
+        entry.index = static_cast<unsigned int>(-1);
+      else
+        add_constraint(link);
+    }
+
+
+
+    void
+    Mechanism::add_constraint(
+      const std::shared_ptr<const Constraint> &constraint)
+    {
+      the_constraints.push_back({constraint, n_equations});
+      n_equations += constraint->n_equations;
+    }
+
+
+
+    void
+    Mechanism::add_spring(const SpringParameters &spring)
+    {
+      const std::string path = "Spring " + spring.name;
+      const Marker      first =
+        find_marker(path + "/First marker", spring.first_marker);
+      const Marker second =
+        find_marker(path + "/Second marker", spring.second_marker);
+      the_springs.push_back({{first.body, second.body},
+                             first.position,
+                             second.position,
+                             spring.stiffness,
+                             spring.damping,
+                             spring.reference_length,
+                             spring.force_at_reference_length});
+    }
+
+
+
+    void
+    Mechanism::add_rotational_spring(const RotationalSpringParameters &spring)
+    {
+      const std::string path = "Rotational spring " + spring.name;
+      the_rotational_springs.push_back(
+        {{find_body(path + "/Body", spring.body),
+          find_body(path + "/Reference body", spring.reference_body)},
+         spring.stiffness,
+         spring.damping,
+         spring.reference_angle,
+         spring.torque_at_reference_angle});
+    }
+
+
+
+    void
+    Mechanism::add_driver(const DriverParameters &driver)
+    {
+      const std::string  path = "Driver " + driver.name;
+      const TimeFunction function(path + "/Time function",
+                                  driver.time_function);
+      if (driver.is_angle())
+        {
+          const BodyPair bodies = {find_body(path + "/Body", driver.body),
+                                   find_body(path + "/Reference body",
+                                             driver.reference_body)};
+          the_driver_motions.push_back({driver.initial_angle,
+                                        driver.speed,
+                                        driver.angle_amplitude,
+                                        function});
+          add_constraint(std::make_shared<AngleDriver>(
+            path, bodies, the_driver_motions.back()));
+          return;
+        }
+      const Marker first =
+        find_marker(path + "/First marker", driver.first_marker);
+      const Marker second =
+        find_marker(path + "/Second marker", driver.second_marker);
+      AssertThrow(first.body != second.body,
+                  ExcParameter(path,
+                               "drives the distance of two markers of the same "
+                               "body, which cannot change"));
+      the_driver_motions.push_back({driver.initial_distance,
+                                    driver.distance_speed,
+                                    driver.distance_amplitude,
+                                    function});
+      add_constraint(std::make_shared<DistanceDriver>(
+        path, first, second, the_driver_motions.back()));
+    }
+
+
+
+    void
+    Mechanism::add_force(const ForceParameters &force)
+    {
+      const std::string path   = "Force " + force.name;
+      const Marker      marker = find_marker(path + "/Marker", force.marker);
+      AssertThrow(marker.body != ground_body,
+                  ExcParameter(path + "/Marker",
+                               "'" + force.marker +
+                                 "' belongs to the ground, which does not "
+                                 "move; name a marker of a body"));
+      the_applied_forces.push_back(
+        {marker,
+         to_eigen(force.vector),
+         force.axes == "body",
+         TimeFunction(path + "/Time function", force.time_function)});
+    }
+
+
+
+    void
+    Mechanism::add_torque(const TorqueParameters &torque)
+    {
+      const std::string path = "Torque " + torque.name;
+      the_applied_torques.push_back(
+        {{find_body(path + "/Body", torque.body),
+          find_body(path + "/Reference body", torque.reference_body)},
+         torque.torque,
+         TimeFunction(path + "/Time function", torque.time_function)});
+    }
+  } // namespace Multibody
+} // namespace Tribody
