@@ -18,9 +18,9 @@
 #include <deal.II/grid/tria.h>
 
 #include <benchmark/benchmark.h>
+#include <support/uncondensed_contact.h>
 
 #include <tribody/contact/contact_solver.h>
-#include <tribody/coupling/uncondensed_contact.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/geometry/worn_configuration.h>

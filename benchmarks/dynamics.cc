@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <tribody/coupling/case_parameters.h>
+#include <tribody/case/case_parameters.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/multibody/motion/slow_motion_start.h>

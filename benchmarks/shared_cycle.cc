@@ -6,7 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/coupling/wearing_bushing.h>
+#include <tribody/bushing/wearing_bushing.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 
 #include <algorithm>

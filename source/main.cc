@@ -5,7 +5,7 @@
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
-#include <tribody/coupling/command_line.h>
+#include <tribody/run/command_line.h>
 
 #include <exception>
 

@@ -14,9 +14,9 @@
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
-#include <tribody/coupling/case_parameters.h>
-#include <tribody/coupling/wear_simulation.h>
+#include <tribody/case/case_parameters.h>
 #include <tribody/output/output_directory.h>
+#include <tribody/run/wear_simulation.h>
 
 #include <algorithm>
 #include <cmath>

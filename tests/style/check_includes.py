@@ -36,7 +36,23 @@ ALLOWED["multibody/motion"] = ALLOWED["multibody/system"] | {
     "sundials",
 }
 ALLOWED["multibody/cycle"] = ALLOWED["multibody/motion"] | {"multibody/motion"}
-ALLOWED["coupling"] = set(ALLOWED)
+BELOW_BUSHING = set(ALLOWED)
+ALLOWED["bushing"] = {
+    "multibody/joints",
+    "multibody/cycle",  # duty cycles, not how they come about
+    "elasticity",
+    "geometry",
+    "contact",
+    "wear",
+    "output",
+    "surface",
+    "algebra",
+    "base",
+}
+ALLOWED["stepping"] = {"bushing", "multibody/cycle", "wear", "base"}
+ALLOWED["case"] = BELOW_BUSHING | {"bushing", "stepping"}
+ALLOWED["results"] = BELOW_BUSHING | {"bushing", "stepping", "case"}
+ALLOWED["run"] = set(ALLOWED)
 
 # Lines of a folder, headers and sources together: what more than a warning says
 # has become two things.

@@ -1,0 +1,149 @@
+#ifndef tribody_bushing_bushing_parameters_h
+#define tribody_bushing_bushing_parameters_h
+
+#include <tribody/contact/contact_solver_parameters.h>
+#include <tribody/elasticity/mesh_file.h>
+#include <tribody/elasticity/rim_shape.h>
+#include <tribody/elasticity/rim_support.h>
+#include <tribody/elasticity/ring_mesh.h>
+#include <tribody/wear/wear_law.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Tribody
+{
+  namespace Multibody
+  {
+    struct JointParameters;
+  }
+
+  namespace Coupling
+  {
+    /// When the life of a joint is over; zero: no limit.
+    struct BushingLimits
+    {
+      /// Maximum wear depth of bushing or pin [m].
+      double max_depth = 0.;
+      /// Largest clearance between worn pin and worn bore [m].
+      double clearance = 0.;
+      /// Worn volume of bushing and pin together [m^3].
+      double volume = 0.;
+      /// Worn mass of both [kg].
+      double mass = 0.;
+    };
+
+    /// A published or measured value that a result is shown beside.
+    struct Comparison
+    {
+      /// What it is and where it comes from; empty if there is none.
+      std::string source;
+      /// [m]; zero if not given.
+      double max_wear_depth = 0.;
+      /// [kg]; zero if not given.
+      double worn_mass = 0.;
+    };
+
+    /**
+     * The bushing of a revolute joint with clearance, as a body that deforms
+     * and wears. Its bore radius and its material are the joint's.
+     */
+    struct BushingParameters
+    {
+      /// Name of the joint that the bushing belongs to.
+      std::string name;
+      /// Length along the axis of the joint [m].
+      double axial_length = 10e-3;
+      /// Radius of the rim, or its semi-axis along x [m].
+      double               outer_radius = 16e-3;
+      Elasticity::RimShape rim_shape;
+      /// What holds it there.
+      Elasticity::RimSupport rim_support;
+      /// "plane strain" or "plane stress".
+      std::string plane_state = "plane strain";
+      /// "finite element", "infinite plate" or "Winkler layer".
+      std::string pressure_model = "finite element";
+      /// Polynomial degree of the elements.
+      unsigned int element_degree = 2;
+      /// "direct" or "multigrid".
+      std::string stiffness_solver = "direct";
+      /// How finely it is meshed.
+      Elasticity::RingMeshParameters mesh;
+      /// Instead of a ring, if there is one.
+      Elasticity::MeshFile mesh_file;
+      /// "automatic", "rigid" or "elastic".
+      std::string pin = "automatic";
+      /// Radius of the hole in the pin [m]; 0: none.
+      double pin_hole_radius = 0.;
+      /// When the contact problem counts as solved.
+      Contact::ContactSolverParameters contact_solver;
+      /// Archard's k of the bushing and of the pin [Pa^-1].
+      double wear_coefficient     = 0.;
+      double pin_wear_coefficient = 0.;
+      /// What multiplies them: expressions of p, v and s, see
+      /// Wear::FactorExpression.
+      std::string wear_coefficient_factor     = "1";
+      std::string pin_wear_coefficient_factor = "1";
+      /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-] and s_0 [m];
+      /// 0: none.
+      double        running_in_factor   = 1.;
+      double        running_in_distance = 0.;
+      BushingLimits limits;
+      /// Values that the results are shown beside.
+      Comparison comparison;
+
+      /// Declares in the current subsection, "Bushing <name>".
+      void
+      add_parameters(dealii::ParameterHandler &prm);
+
+      /// @param joint that the bushing belongs to.
+      /// @throws ExcParameter with paths that start with "Bushing <name>".
+      void
+      check(const Multibody::JointParameters &joint) const;
+
+      /// Whether the ranks share the cells of the mesh.
+      bool
+      shares_mesh() const
+      {
+        return stiffness_solver == "multigrid";
+      }
+
+      /// Whether mesh and geometry look the same from each cell around the
+      /// bore, unworn.
+      bool
+      cells_are_alike() const;
+
+      /// The laws by which bushing and pin wear.
+      Wear::WearLaw
+      wear_law() const;
+
+      Wear::WearLaw
+      pin_wear_law() const;
+
+      /// Whether the pin of @p joint is elastic: if asked for, or if its
+      /// modulus is not more than 100 times the bushing's.
+      bool
+      pin_is_elastic(const Multibody::JointParameters &joint) const;
+
+    private:
+      /// A ring in a housing is not everything at once.
+      void
+      check_housing(const Multibody::JointParameters &joint) const;
+
+      void
+      check_mesh(const Multibody::JointParameters &joint) const;
+
+      /// @param parameter that holds the @p factor.
+      Wear::WearLaw
+      make_wear_law(const double       coefficient,
+                    const std::string &factor,
+                    const std::string &parameter) const;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

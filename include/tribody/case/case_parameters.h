@@ -1,0 +1,62 @@
+#ifndef tribody_case_case_parameters_h
+#define tribody_case_case_parameters_h
+
+#include <tribody/base/material.h>
+#include <tribody/bushing/bushing_parameters.h>
+#include <tribody/multibody/motion/dynamics_parameters.h>
+#include <tribody/multibody/system/mechanism_parameters.h>
+#include <tribody/stepping/wear_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /**
+     * A parameter file as the program understands it: one member or list entry
+     * per subsection, names resolved, SI units. See the documentation strings
+     * (tribody --print-parameters) for the meaning of each entry.
+     */
+    struct CaseParameters
+    {
+      std::string title;
+      /// Cycles to run; 0: dynamics only.
+      unsigned int cycles = 0;
+      /// Where to write; empty: "output/<name of the parameter file>".
+      std::string output_directory;
+      /// Times at which fields are written, the first and last cycle included.
+      unsigned int n_outputs = 3;
+
+      Multibody::MechanismParameters mechanism;
+      Multibody::DynamicsParameters  dynamics;
+      std::vector<Material>          materials;
+      std::vector<BushingParameters> bushings;
+      WearParameters                 wear;
+
+      /// All of this as a parameter file with documentation.
+      std::string text;
+
+      /// The parameters of the joint @p name, which must exist.
+      const Multibody::JointParameters &
+      joint(const std::string &name) const;
+    };
+
+    /**
+     * Read a parameter file and check it, the mechanism's references included.
+     * @param overrides assignments "A/B=value" that win over the file.
+     * @throws ExcInput with file, line, value, and what would be valid.
+     */
+    CaseParameters
+    read_case(const std::string              &file_name,
+              const std::vector<std::string> &overrides);
+
+    /// A parameter file with one entry of every kind, for
+    /// --print-parameters.
+    std::string
+    parameter_template();
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,24 @@
+#ifndef tribody_stepping_mesh_error_h
+#define tribody_stepping_mesh_error_h
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /// How much a result changes from the next coarser mesh to the one that was
+    /// used, relative [-].
+    struct MeshError
+    {
+      /// Bore nodes of both meshes; 0: there is no estimate.
+      unsigned int n_nodes        = 0;
+      unsigned int n_coarse_nodes = 0;
+      /// Of the largest pressure of the first cycle.
+      double max_pressure = 0.;
+      /// Of the maximum depth: worn in the whole run, or in the first cycle.
+      double wear_depth       = 0.;
+      bool   covers_whole_run = false;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

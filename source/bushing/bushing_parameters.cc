@@ -1,0 +1,374 @@
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
+#include <tribody/bushing/bushing_mesh.h>
+#include <tribody/bushing/bushing_parameters.h>
+#include <tribody/multibody/joints/joint_parameters.h>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    void
+    BushingParameters::add_parameters(dealii::ParameterHandler &prm)
+    {
+      Parameters::add_quantity(prm,
+                               "Axial length",
+                               axial_length,
+                               "m",
+                               "Length of the bushing along the axis of the "
+                               "joint, positive.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Outer radius",
+                               outer_radius,
+                               "m",
+                               "Radius of the rim, larger than the joint's "
+                               "bushing radius.",
+                               "mm");
+      rim_shape.add_parameters(prm);
+      rim_support.add_parameters(prm);
+      Parameters::add_choice(
+        prm,
+        "Plane state",
+        plane_state,
+        {"plane strain", "plane stress"},
+        "Plane strain for a bushing that is long, or held, "
+        "along its axis; plane stress for a thin one.");
+      Parameters::add_choice(
+        prm,
+        "Pressure model",
+        pressure_model,
+        {"finite element", "infinite plate", "Winkler layer"},
+        "How the bushing gives way to the pin: 'finite element' is the meshed "
+        "ring; 'infinite plate' the hole in a plate without an end (with an "
+        "elastic pin of the same material: Persson's closed form), in which "
+        "the outer radius only concerns the pin's place; 'Winkler layer' a "
+        "layer as thick as the wall that yields to the pressure of each place "
+        "alone, u = p t (1+nu)(1-2nu)/(E(1-nu)) in plane strain. The last two "
+        "are there to be compared with; everything else, and the stresses in "
+        "the VTU files, is computed as ever.");
+      Parameters::add_choice(
+        prm,
+        "Pin",
+        pin,
+        {"automatic", "rigid", "elastic"},
+        "Whether the pin deforms in the contact: 'elastic' gives it the "
+        "elasticity of a disc of the joint's pin material; 'automatic' does so "
+        "unless its Young's modulus is more than 100 times the bushing's, and "
+        "the log says which. The pin's place is then the mean place of its "
+        "cross section.");
+      Parameters::add_quantity(prm,
+                               "Pin hole radius",
+                               pin_hole_radius,
+                               "m",
+                               "Radius of the hole in a hollow pin, free of "
+                               "forces; 0: a solid pin. It matters if the pin "
+                               "is elastic.",
+                               "mm");
+      Parameters::add_integer(prm,
+                              "Element degree",
+                              element_degree,
+                              "Polynomial degree of displacement and "
+                              "geometry.",
+                              1,
+                              3);
+      Parameters::add_choice(
+        prm,
+        "Stiffness solver",
+        stiffness_solver,
+        {"direct", "multigrid"},
+        "How displacements are found from forces. 'direct': every rank has the "
+        "whole mesh and factorises its stiffness, the fastest as long as that "
+        "fits its memory. 'multigrid': the ranks share the cells, and "
+        "conjugate gradients with algebraic multigrid find every displacement "
+        "to 1e-12 of the force. A ring is shared best if powers of two divide "
+        "its bore cells and radial cells; cells of a refined sector stay on "
+        "the rank that had them. The coarser mesh of 'Wear/Mesh error "
+        "estimate' is solved directly, by each rank alone, as is what "
+        "'Mesh/Nodes across contact' looks at.");
+      Parameters::add_quantity(prm,
+                               "Wear coefficient",
+                               wear_coefficient,
+                               "Pa^-1",
+                               "Archard's k of the bushing: worn volume per "
+                               "normal force and sliding distance, not "
+                               "negative.",
+                               "mm^3/(N m)");
+      Parameters::add_quantity(prm,
+                               "Pin wear coefficient",
+                               pin_wear_coefficient,
+                               "Pa^-1",
+                               "Archard's k of the pin, not negative; 0: the "
+                               "pin does not wear. The pin wears in its own "
+                               "frame, which turns in the bushing.",
+                               "mm^3/(N m)");
+      Parameters::add_text(
+        prm,
+        "Wear coefficient factor",
+        wear_coefficient_factor,
+        "What the wear coefficient of the bushing is multiplied by: a number "
+        "or an expression of the contact pressure p in Pa, the sliding speed v "
+        "in m/s and the distance s in m that the joint has slid before, for "
+        "example '(p/1e6)^0.5'. Not negative, and smooth in p.");
+      Parameters::add_text(prm,
+                           "Pin wear coefficient factor",
+                           pin_wear_coefficient_factor,
+                           "The same for the wear coefficient of the pin.");
+      Parameters::add_quantity(
+        prm,
+        "Running-in factor",
+        running_in_factor,
+        "",
+        "f_0: how many times as fast fresh surfaces wear. The wear "
+        "coefficients of bushing and pin are multiplied by 1 + (f_0 - 1) "
+        "exp(-s/s_0) with the distance s that the joint has slid before. Not "
+        "negative; 1: no running-in.");
+      Parameters::add_quantity(prm,
+                               "Running-in distance",
+                               running_in_distance,
+                               "m",
+                               "s_0: sliding distance over which running-in "
+                               "fades; 0: no running-in.");
+      Parameters::add_quantity(prm,
+                               "Stop at maximum depth",
+                               limits.max_depth,
+                               "m",
+                               "The run ends when the wear of bushing or pin "
+                               "is this deep somewhere; 0: never.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Stop at clearance",
+                               limits.clearance,
+                               "m",
+                               "The run ends when the clearance between pin "
+                               "and bore has this value somewhere, both worn "
+                               "and where both are deepest; 0: never.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Stop at worn volume",
+                               limits.volume,
+                               "m^3",
+                               "The run ends when this volume is worn away "
+                               "from bushing and pin together; 0: never.",
+                               "mm^3");
+      Parameters::add_quantity(prm,
+                               "Stop at worn mass",
+                               limits.mass,
+                               "kg",
+                               "The run ends when this mass is worn away from "
+                               "bushing and pin together; 0: never.",
+                               "g");
+      Parameters::add_text(prm,
+                           "Comparison source",
+                           comparison.source,
+                           "Where the two comparison values come from and what "
+                           "they are worth. They are shown beside the result "
+                           "and used for nothing else; empty: none.");
+      Parameters::add_quantity(prm,
+                               "Comparison maximum depth",
+                               comparison.max_wear_depth,
+                               "m",
+                               "A maximum wear depth to show beside the "
+                               "result; 0: none.",
+                               "mm");
+      Parameters::add_quantity(prm,
+                               "Comparison worn mass",
+                               comparison.worn_mass,
+                               "kg",
+                               "A worn mass to show beside the result; 0: "
+                               "none.",
+                               "g");
+      prm.enter_subsection("Mesh");
+      mesh.add_parameters(prm);
+      mesh_file.add_parameters(prm);
+      prm.leave_subsection();
+      prm.enter_subsection("Contact solver");
+      contact_solver.add_parameters(prm);
+      prm.leave_subsection();
+    }
+
+
+
+    void
+    BushingParameters::check(const Multibody::JointParameters &joint) const
+    {
+      const std::string path = "Bushing " + name + "/";
+      AssertThrow(axial_length > 0.,
+                  ExcParameter(path + "Axial length",
+                               Units::to_string(axial_length, "m", "mm") +
+                                 " must be positive"));
+      AssertThrow(
+        pin_hole_radius >= 0. && pin_hole_radius < joint.pin_radius,
+        ExcParameter(path + "Pin hole radius",
+                     Units::to_string(pin_hole_radius, "m", "mm") +
+                       " is not between 0 and the pin radius of the "
+                       "joint, " +
+                       Units::to_string(joint.pin_radius, "m", "mm")));
+      for (const auto &[k, name_of_k] :
+           {std::make_pair(wear_coefficient, "Wear coefficient"),
+            std::make_pair(pin_wear_coefficient, "Pin wear coefficient")})
+        AssertThrow(k >= 0.,
+                    ExcParameter(path + name_of_k,
+                                 Units::to_string(k, "Pa^-1", "mm^3/(N m)") +
+                                   " must not be negative"));
+      AssertThrow(running_in_factor >= 0.,
+                  ExcParameter(path + "Running-in factor",
+                               Units::to_string(running_in_factor, "", "") +
+                                 " must not be negative; 1 means no "
+                                 "running-in"));
+      AssertThrow(running_in_distance >= 0.,
+                  ExcParameter(path + "Running-in distance",
+                               Units::to_string(running_in_distance, "m", "m") +
+                                 " must not be negative; 0 means no "
+                                 "running-in"));
+      AssertThrow(running_in_factor == 1. || running_in_distance > 0.,
+                  ExcParameter(path + "Running-in distance",
+                               "must be given and positive: 'Running-in "
+                               "factor' is " +
+                                 Units::to_string(running_in_factor, "", "") +
+                                 " and not 1"));
+      // They name the parameter if it cannot be understood.
+      wear_law();
+      pin_wear_law();
+      for (const auto &[limit, name_of_limit] :
+           {std::make_pair(limits.max_depth, "Stop at maximum depth"),
+            std::make_pair(limits.clearance, "Stop at clearance"),
+            std::make_pair(limits.volume, "Stop at worn volume"),
+            std::make_pair(limits.mass, "Stop at worn mass")})
+        AssertThrow(limit >= 0.,
+                    ExcParameter(path + name_of_limit,
+                                 "must not be negative; 0 means no limit"));
+      rim_support.check("Bushing " + name);
+      check_housing(joint);
+      mesh.check(path + "Mesh");
+      check_mesh(joint);
+      contact_solver.check(path + "Contact solver");
+    }
+
+
+
+    void
+    BushingParameters::check_housing(
+      const Multibody::JointParameters &joint) const
+    {
+      if (!rim_support.is_housing())
+        return;
+      const std::string parameter = "Bushing " + name + "/Outer support";
+      AssertThrow(
+        !mesh_file.is_given() && rim_shape.is_concentric_circle(),
+        ExcParameter(parameter,
+                     "'housing' needs a rim that is a circle around "
+                     "the bore, without 'Outer centre', 'Outer shape' "
+                     "or a mesh file"));
+      AssertThrow(pressure_model == "finite element",
+                  ExcParameter(parameter,
+                               "'housing' needs 'Pressure model = finite "
+                               "element', but it is '" +
+                                 pressure_model +
+                                 "', which knows nothing of the rim"));
+      AssertThrow(stiffness_solver == "direct",
+                  ExcParameter(parameter,
+                               "'housing' needs 'Stiffness solver = direct', "
+                               "but it is '" +
+                                 stiffness_solver + "'"));
+      AssertThrow(!joint.needs_support(),
+                  ExcParameter(parameter,
+                               "'housing' cannot be combined with the contact "
+                               "force law 'finite element' of the joint or "
+                               "'Wear/Scheme = coupled': without a force on "
+                               "it, the place of the ring in its housing is "
+                               "not known"));
+    }
+
+
+
+    void
+    BushingParameters::check_mesh(const Multibody::JointParameters &joint) const
+    {
+      if (!mesh_file.is_given())
+        {
+          AssertThrow(
+            outer_radius > joint.bushing_radius,
+            ExcParameter("Bushing " + name + "/Outer radius",
+                         Units::to_string(outer_radius, "m", "mm") +
+                           " must be larger than the bushing radius of "
+                           "the joint, " +
+                           Units::to_string(joint.bushing_radius, "m", "mm")));
+          rim_shape.check("Bushing " + name,
+                          joint.bushing_radius,
+                          outer_radius);
+        }
+      AssertThrow(!mesh_file.is_given() || mesh.n_contact_nodes == 0,
+                  ExcParameter("Bushing " + name + "/Mesh/Nodes across contact",
+                               "the cells of a mesh file are what they are; "
+                               "divide them by 'File refinements' or 'Sector "
+                               "refinements'"));
+      // A file must be read to know whether it is one, a sector be refined to
+      // know whether there is anything in it.
+      if (mesh_file.is_given() || mesh.n_sector_refinements > 0)
+        make_bushing_mesh(*this, joint.bushing_radius);
+    }
+
+
+
+    Wear::WearLaw
+    BushingParameters::wear_law() const
+    {
+      return make_wear_law(wear_coefficient,
+                           wear_coefficient_factor,
+                           "Wear coefficient factor");
+    }
+
+
+
+    bool
+    BushingParameters::cells_are_alike() const
+    {
+      return !mesh_file.is_given() && rim_shape.is_concentric_circle() &&
+             mesh.n_sector_refinements == 0;
+    }
+
+
+
+    Wear::WearLaw
+    BushingParameters::pin_wear_law() const
+    {
+      return make_wear_law(pin_wear_coefficient,
+                           pin_wear_coefficient_factor,
+                           "Pin wear coefficient factor");
+    }
+
+
+
+    Wear::WearLaw
+    BushingParameters::make_wear_law(const double       coefficient,
+                                     const std::string &factor,
+                                     const std::string &parameter) const
+    {
+      Wear::WearLaw law{{coefficient}, {}};
+      if (factor != "1")
+        law.factors.emplace_back(
+          Wear::FactorExpression("Bushing " + name + "/" + parameter, factor));
+      if (running_in_factor != 1. && running_in_distance > 0.)
+        law.factors.emplace_back(
+          Wear::RunningIn{running_in_factor, running_in_distance});
+      return law;
+    }
+
+
+
+    bool
+    BushingParameters::pin_is_elastic(
+      const Multibody::JointParameters &joint) const
+    {
+      return pin == "elastic" ||
+             (pin == "automatic" &&
+              joint.pin_material.youngs_modulus <=
+                100. * joint.bushing_material.youngs_modulus);
+    }
+  } // namespace Coupling
+} // namespace Tribody

@@ -1,0 +1,548 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <boost/algorithm/string/join.hpp>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/parameter_file.h>
+#include <tribody/base/parameters.h>
+#include <tribody/base/units.h>
+#include <tribody/case/case_parameters.h>
+#include <tribody/multibody/cycle/cycle_simulation.h>
+#include <tribody/multibody/system/mechanism.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // The lists that decide which subsections exist.
+      struct Names
+      {
+        std::vector<std::string> bodies;
+        std::vector<std::string> joints;
+        std::vector<std::string> springs;
+        std::vector<std::string> rotational_springs;
+        std::vector<std::string> drivers;
+        std::vector<std::string> forces;
+        std::vector<std::string> torques;
+        std::vector<std::string> materials;
+        std::vector<std::string> bushings;
+
+        void
+        add_parameters(dealii::ParameterHandler &prm)
+        {
+          Parameters::add_names(prm,
+                                "Bodies",
+                                bodies,
+                                "Names of the moving bodies; each has a "
+                                "subsection 'Body <name>'. The body that does "
+                                "not move is 'ground'.");
+          Parameters::add_names(prm,
+                                "Joints",
+                                joints,
+                                "Names of the joints; each has a subsection "
+                                "'Joint <name>'.");
+          Parameters::add_names(prm,
+                                "Springs",
+                                springs,
+                                "Names of the springs; each has a subsection "
+                                "'Spring <name>'.");
+          Parameters::add_names(prm,
+                                "Rotational springs",
+                                rotational_springs,
+                                "Names of the rotational springs; each has a "
+                                "subsection 'Rotational spring <name>'.");
+          Parameters::add_names(prm,
+                                "Drivers",
+                                drivers,
+                                "Names of the drivers; each has a subsection "
+                                "'Driver <name>'. One turn of the first driver "
+                                "is a cycle, unless 'Dynamics/Cycle duration' "
+                                "is set.");
+          Parameters::add_names(prm,
+                                "Forces",
+                                forces,
+                                "Names of the given forces; each has a "
+                                "subsection 'Force <name>'.");
+          Parameters::add_names(prm,
+                                "Torques",
+                                torques,
+                                "Names of the given torques; each has a "
+                                "subsection 'Torque <name>'.");
+          Parameters::add_names(prm,
+                                "Materials",
+                                materials,
+                                "Names of the materials; each has a subsection "
+                                "'Material <name>'.");
+          Parameters::add_names(prm,
+                                "Bushings",
+                                bushings,
+                                "Names of the joints with clearance whose "
+                                "bushing deforms and wears; each has a "
+                                "subsection 'Bushing <name of the joint>'.");
+        }
+      };
+
+
+
+      Names
+      read_names(const ParameterFile &file)
+      {
+        const auto list = [&file](const std::string &name) {
+          try
+            {
+              return split_names(file.value(name, ""));
+            }
+          catch (const ExcInput &exception)
+            {
+              throw ExcInput(file.location(name) + ": " + name + ": " +
+                             message_of(exception));
+            }
+        };
+        return {list("Bodies"),
+                list("Joints"),
+                list("Springs"),
+                list("Rotational springs"),
+                list("Drivers"),
+                list("Forces"),
+                list("Torques"),
+                list("Materials"),
+                list("Bushings")};
+      }
+
+
+
+      template <typename Entry>
+      std::vector<Entry>
+      make_named(const std::vector<std::string> &names)
+      {
+        std::vector<Entry> entries(names.size());
+        for (std::size_t i = 0; i < names.size(); ++i)
+          entries[i].name = names[i];
+        return entries;
+      }
+
+
+
+      template <typename Entry>
+      void
+      declare_each(dealii::ParameterHandler &prm,
+                   const std::string        &kind,
+                   std::vector<Entry>       &entries)
+      {
+        for (Entry &entry : entries)
+          {
+            prm.enter_subsection(kind + " " + entry.name);
+            entry.add_parameters(prm);
+            prm.leave_subsection();
+          }
+      }
+
+
+
+      // The handler keeps references into @p parameters and @p names.
+      void
+      declare(dealii::ParameterHandler &prm,
+              CaseParameters           &parameters,
+              Names                    &names)
+      {
+        parameters.mechanism.bodies =
+          make_named<Multibody::BodyParameters>(names.bodies);
+        parameters.mechanism.joints =
+          make_named<Multibody::JointParameters>(names.joints);
+        parameters.mechanism.springs =
+          make_named<Multibody::SpringParameters>(names.springs);
+        parameters.mechanism.rotational_springs =
+          make_named<Multibody::RotationalSpringParameters>(
+            names.rotational_springs);
+        parameters.mechanism.drivers =
+          make_named<Multibody::DriverParameters>(names.drivers);
+        parameters.mechanism.forces =
+          make_named<Multibody::ForceParameters>(names.forces);
+        parameters.mechanism.torques =
+          make_named<Multibody::TorqueParameters>(names.torques);
+        parameters.materials = make_named<Material>(names.materials);
+        parameters.bushings  = make_named<BushingParameters>(names.bushings);
+
+        Parameters::add_text(prm,
+                             "Title",
+                             parameters.title,
+                             "One line that says what the case is.");
+        Parameters::add_integer(prm,
+                                "Cycles",
+                                parameters.cycles,
+                                "Cycles to run; 0 runs one settled cycle of "
+                                "the dynamics without any wear.",
+                                0,
+                                999999999);
+        names.add_parameters(prm);
+        Parameters::add_point(prm,
+                              "Gravity",
+                              parameters.mechanism.gravity,
+                              "m/s^2",
+                              "Acceleration of gravity in global axes.");
+
+        prm.enter_subsection("Ground");
+        parameters.mechanism.ground.add_parameters(prm);
+        prm.leave_subsection();
+        declare_each(prm, "Body", parameters.mechanism.bodies);
+        declare_each(prm, "Joint", parameters.mechanism.joints);
+        declare_each(prm, "Spring", parameters.mechanism.springs);
+        declare_each(prm,
+                     "Rotational spring",
+                     parameters.mechanism.rotational_springs);
+        declare_each(prm, "Driver", parameters.mechanism.drivers);
+        declare_each(prm, "Force", parameters.mechanism.forces);
+        declare_each(prm, "Torque", parameters.mechanism.torques);
+        declare_each(prm, "Material", parameters.materials);
+        declare_each(prm, "Bushing", parameters.bushings);
+
+        prm.enter_subsection("Dynamics");
+        parameters.dynamics.add_parameters(prm);
+        prm.leave_subsection();
+        prm.enter_subsection("Wear");
+        parameters.wear.add_parameters(prm);
+        prm.leave_subsection();
+
+        prm.enter_subsection("Output");
+        Parameters::add_text(prm,
+                             "Directory",
+                             parameters.output_directory,
+                             "Where results are written; empty: output/<name "
+                             "of the parameter file>.");
+        Parameters::add_integer(prm,
+                                "Number of outputs",
+                                parameters.n_outputs,
+                                "How often duty cycles, profiles and VTU files "
+                                "are written, evenly spread over the cycles, "
+                                "first and last included.",
+                                2,
+                                9999);
+        prm.leave_subsection();
+      }
+
+
+
+      std::string
+      print(dealii::ParameterHandler &prm)
+      {
+        std::ostringstream stream;
+        prm.print_parameters(stream,
+                             dealii::ParameterHandler::PRM |
+                               dealii::ParameterHandler::KeepDeclarationOrder);
+        return stream.str();
+      }
+
+
+
+      Material
+      find_material(const std::vector<Material> &materials,
+                    const std::string           &name,
+                    const std::string           &path)
+      {
+        std::vector<std::string> names;
+        for (const Material &material : materials)
+          {
+            if (material.name == name)
+              return material;
+            names.push_back(material.name);
+          }
+        throw ExcParameter(path,
+                           "there is no material '" + name +
+                             "'; 'Materials' lists: " +
+                             boost::algorithm::join(names, ", "));
+      }
+
+
+
+      void
+      resolve_materials(CaseParameters &parameters)
+      {
+        for (Multibody::JointParameters &joint : parameters.mechanism.joints)
+          if (joint.has_clearance())
+            {
+              const std::string path = "Joint " + joint.name + "/";
+              joint.pin_material     = find_material(parameters.materials,
+                                                 joint.pin_material_name,
+                                                 path + "Pin material");
+              joint.bushing_material =
+                find_material(parameters.materials,
+                              joint.bushing_material_name,
+                              path + "Bushing material");
+            }
+      }
+
+
+
+      // Finite elements inside the dynamics need a bushing to ask.
+      void
+      apply_scheme(CaseParameters &parameters)
+      {
+        const auto &bushings = parameters.bushings;
+        const auto  has_bushing =
+          [&bushings](const Multibody::JointParameters &joint) {
+            return std::any_of(bushings.begin(),
+                               bushings.end(),
+                               [&joint](const BushingParameters &bushing) {
+                                 return bushing.name == joint.name;
+                               });
+          };
+        const bool is_coupled = parameters.wear.scheme == "coupled";
+        AssertThrow(!is_coupled || !bushings.empty(),
+                    ExcParameter("Wear/Scheme",
+                                 "'coupled' is about the joints that are "
+                                 "listed in 'Bushings', but there are none"));
+        for (Multibody::JointParameters &joint : parameters.mechanism.joints)
+          {
+            if (is_coupled && joint.has_clearance() && has_bushing(joint))
+              joint.contact_force_law = "finite element";
+            AssertThrow(
+              !joint.needs_support() || has_bushing(joint),
+              ExcParameter("Joint " + joint.name + "/Contact force law",
+                           "'finite element' asks the joint's "
+                           "bushing for the force, but '" +
+                             joint.name +
+                             "' is not listed in 'Bushings'. Add it "
+                             "there with a subsection 'Bushing " +
+                             joint.name + "', or choose another law"));
+          }
+      }
+
+
+
+      // A bushing is that of a joint which can press on it.
+      void
+      check_bushing_joints(const CaseParameters &parameters)
+      {
+        for (const BushingParameters &bushing : parameters.bushings)
+          {
+            const auto &joints = parameters.mechanism.joints;
+            const auto  joint =
+              std::find_if(joints.begin(),
+                           joints.end(),
+                           [&bushing](const auto &j) {
+                             return j.name == bushing.name && j.is_revolute();
+                           });
+            AssertThrow(joint != joints.end(),
+                        ExcParameter("Bushings",
+                                     "'" + bushing.name +
+                                       "' is not the name of a revolute "
+                                       "joint"));
+            AssertThrow(
+              parameters.cycles == 0 || joint->has_clearance(),
+              ExcParameter("Joint " + joint->name + "/Model",
+                           "'" + joint->model +
+                             "' knows no contact pressure, so the bushing "
+                             "cannot wear; write 'clearance', or "
+                             "'set Cycles = 0' for the dynamics "
+                             "alone"));
+          }
+      }
+
+
+
+      // Mesh files are named relative to the parameter file that names them,
+      // or to the current directory on the command line.
+      void
+      resolve_mesh_files(const ParameterFile &file, CaseParameters &parameters)
+      {
+        for (BushingParameters &bushing : parameters.bushings)
+          if (bushing.mesh_file.is_given())
+            bushing.mesh_file.name =
+              (std::filesystem::path(
+                 file.location("Bushing " + bushing.name + "/Mesh/File"))
+                 .parent_path() /
+               bushing.mesh_file.name)
+                .string();
+      }
+
+
+
+      // A driver has a speed, or a time function with its amplitude, or both.
+      template <typename Require>
+      void
+      check_required_of_driver(const Require                     &require,
+                               const ParameterFile               &file,
+                               const Multibody::DriverParameters &driver)
+      {
+        const std::string subsection = "Driver " + driver.name;
+        if (driver.is_angle())
+          require(subsection, {"Body"});
+        else
+          require(subsection,
+                  {"First marker", "Second marker", "Initial distance"});
+        if (file.is_set(subsection + "/Time function"))
+          require(subsection,
+                  {driver.is_angle() ? "Angle amplitude"
+                                     : "Distance amplitude"});
+        else
+          require(subsection, {driver.is_angle() ? "Speed" : "Distance speed"});
+      }
+
+
+
+      // Values that belong to the case and that nobody can guess: a default
+      // would be a silent invention.
+      void
+      check_required(const ParameterFile  &file,
+                     const CaseParameters &parameters)
+      {
+        const auto require = [&file](const std::string              &subsection,
+                                     const std::vector<std::string> &names) {
+          for (const std::string &name : names)
+            AssertThrow(file.is_set(subsection + "/" + name),
+                        ExcParameter(subsection + "/" + name,
+                                     "is not set and has no usual value; write "
+                                     "'set " +
+                                       name + " = ...'"));
+        };
+
+        // A kinematic analysis does not use masses.
+        for (const auto &body : parameters.mechanism.bodies)
+          if (parameters.dynamics.analysis == "kinematic")
+            require("Body " + body.name, {"Markers"});
+          else
+            require("Body " + body.name,
+                    {"Mass", "Moment of inertia", "Markers"});
+        for (const auto &joint : parameters.mechanism.joints)
+          {
+            const std::string subsection = "Joint " + joint.name;
+            if (joint.is_revolute())
+              require(subsection, {"Pin marker", "Bushing marker"});
+            else
+              require(subsection, {"First marker", "Second marker"});
+            if (joint.has_gap())
+              require(subsection, {"Pin radius", "Bushing radius"});
+            if (joint.has_clearance())
+              require(subsection, {"Pin material", "Bushing material"});
+          }
+        for (const auto &spring : parameters.mechanism.springs)
+          require(
+            "Spring " + spring.name,
+            {"First marker", "Second marker", "Stiffness", "Reference length"});
+        for (const auto &spring : parameters.mechanism.rotational_springs)
+          require("Rotational spring " + spring.name,
+                  {"Body", "Stiffness", "Reference angle"});
+        for (const auto &driver : parameters.mechanism.drivers)
+          check_required_of_driver(require, file, driver);
+        for (const auto &force : parameters.mechanism.forces)
+          require("Force " + force.name, {"Marker", "Vector"});
+        for (const auto &torque : parameters.mechanism.torques)
+          require("Torque " + torque.name, {"Body", "Torque"});
+        for (const Material &material : parameters.materials)
+          require("Material " + material.name,
+                  {"Young's modulus", "Poisson's ratio", "Density"});
+        for (const BushingParameters &bushing : parameters.bushings)
+          {
+            require("Bushing " + bushing.name,
+                    {"Axial length", "Wear coefficient"});
+            if (!bushing.mesh_file.is_given())
+              require("Bushing " + bushing.name, {"Outer radius"});
+          }
+      }
+
+
+
+      void
+      check(const CaseParameters &parameters)
+      {
+        for (const Material &material : parameters.materials)
+          material.check();
+        parameters.dynamics.check();
+        parameters.wear.check();
+        parameters.mechanism.check();
+
+        for (const BushingParameters &bushing : parameters.bushings)
+          bushing.check(parameters.joint(bushing.name));
+
+        AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),
+                    ExcParameter("Cycles",
+                                 std::to_string(parameters.cycles) +
+                                   " cycles of wear need at least one entry "
+                                   "in 'Bushings'; 0 cycles need none"));
+
+        // Markers and bodies that joints, springs and drivers refer to, and
+        // whether the mechanism can be assembled.
+        const Multibody::Mechanism       mechanism(parameters.mechanism);
+        const Multibody::CycleSimulation simulation(mechanism,
+                                                    parameters.dynamics);
+      }
+    } // namespace
+
+
+
+    const Multibody::JointParameters &
+    CaseParameters::joint(const std::string &name) const
+    {
+      const auto found =
+        std::find_if(mechanism.joints.begin(),
+                     mechanism.joints.end(),
+                     [&name](const auto &joint) { return joint.name == name; });
+      Assert(found != mechanism.joints.end(), dealii::ExcInternalError());
+      return *found;
+    }
+
+
+
+    CaseParameters
+    read_case(const std::string              &file_name,
+              const std::vector<std::string> &overrides)
+    {
+      const ParameterFile file(file_name, overrides);
+      CaseParameters      parameters;
+      {
+        Names                    names = read_names(file);
+        dealii::ParameterHandler prm;
+        declare(prm, parameters, names);
+        file.apply(prm);
+        parameters.text = print(prm);
+      }
+
+      if (parameters.output_directory.empty())
+        parameters.output_directory = (std::filesystem::path("output") /
+                                       std::filesystem::path(file_name).stem())
+                                        .string();
+
+      try
+        {
+          check_bushing_joints(parameters);
+          apply_scheme(parameters);
+          check_required(file, parameters);
+          resolve_materials(parameters);
+          resolve_mesh_files(file, parameters);
+          check(parameters);
+        }
+      catch (const ExcParameter &exception)
+        {
+          throw ExcInput(file.location(exception.path) + ": " + exception.path +
+                         ": " + exception.problem);
+        }
+      return parameters;
+    }
+
+
+
+    std::string
+    parameter_template()
+    {
+      CaseParameters           parameters;
+      Names                    names{{"body"},
+                  {"joint"},
+                  {"spring"},
+                  {"rotational_spring"},
+                  {"driver"},
+                  {"force"},
+                  {"torque"},
+                  {"steel"},
+                  {"joint"}};
+      dealii::ParameterHandler prm;
+      declare(prm, parameters, names);
+      return print(prm);
+    }
+  } // namespace Coupling
+} // namespace Tribody

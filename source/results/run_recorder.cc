@@ -1,0 +1,352 @@
+#include <deal.II/base/mpi.h>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
+#include <tribody/base/units.h>
+#include <tribody/output/bushing_vtu.h>
+#include <tribody/output/mechanism_vtu.h>
+#include <tribody/results/cycle_tables.h>
+#include <tribody/results/mechanism_picture.h>
+#include <tribody/results/run_recorder.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // Progress lines: not more often than this [s].
+      constexpr double progress_interval = 2.;
+
+      double
+      seconds_since(const std::chrono::steady_clock::time_point &start)
+      {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                             start)
+          .count();
+      }
+
+
+
+      std::string
+      clock_time(const double seconds)
+      {
+        const auto         whole = static_cast<long>(std::lround(seconds));
+        std::ostringstream out;
+        if (whole >= 3600)
+          out << whole / 3600 << ':' << std::setfill('0') << std::setw(2);
+        out << (whole / 60) % 60 << ':' << std::setfill('0') << std::setw(2)
+            << whole % 60;
+        return out.str();
+      }
+    } // namespace
+
+
+
+    RunRecorder::RunRecorder(const CaseParameters       &parameters,
+                             const Multibody::Mechanism &mechanism,
+                             Output::OutputDirectory    &directory,
+                             Console                    &console,
+                             const MPI_Comm             &communicator)
+      : parameters(parameters)
+      , mechanism(mechanism)
+      , directory(directory)
+      , console(console)
+      , communicator(communicator)
+      , writes(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      , vtu_files(parameters.bushings.size())
+    {}
+
+
+
+    void
+    RunRecorder::start()
+    {
+      started_at          = std::chrono::steady_clock::now();
+      progress_printed_at = started_at;
+      if (!writes)
+        return;
+
+      const std::string message   = directory.create();
+      const std::string file_name = directory.file("parameters.prm");
+      std::ofstream     file(file_name);
+      file << parameters.text << std::flush;
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+
+      console.open_log(directory.file("log.txt"));
+      if (!message.empty())
+        console.out() << message << std::endl;
+      console.out() << "Results go to '" << directory.path() << "'."
+                    << std::endl;
+    }
+
+
+
+    double
+    RunRecorder::wall_time() const
+    {
+      return seconds_since(started_at);
+    }
+
+
+
+    void
+    RunRecorder::record(const RunState                  &state,
+                        const std::list<WearingBushing> &bushings)
+    {
+      Ranks::run_together(communicator, [&]() {
+        if (writes)
+          write_history_row(state, bushings);
+      });
+
+      if (state.cycles >= next_output())
+        record_fields(state, bushings);
+
+      if (!writes)
+        return;
+      const bool is_last = state.cycles >= parameters.cycles;
+      if (parameters.cycles > 0 &&
+          (is_last || seconds_since(progress_printed_at) > progress_interval))
+        print_progress(state, bushings);
+    }
+
+
+
+    double
+    RunRecorder::next_output() const
+    {
+      const double interval =
+        static_cast<double>(parameters.cycles) / (parameters.n_outputs - 1);
+      return n_outputs + 1 < parameters.n_outputs
+               ? std::round(n_outputs * interval)
+               : parameters.cycles;
+    }
+
+
+
+    void
+    RunRecorder::record_fields(const RunState                  &state,
+                               const std::list<WearingBushing> &bushings)
+    {
+      if (last_output_at == state.cycles ||
+          state.contacts.size() != bushings.size())
+        return;
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          std::string file_name;
+          Ranks::run_together(communicator, [&]() {
+            file_name = directory.joint_file(bushing.name(), vtu_name());
+          });
+          bushing.write_vtu(file_name, state.contacts[b++]);
+        }
+      Ranks::run_together(communicator, [&]() {
+        if (writes)
+          write_fields(state, bushings);
+      });
+      // The next output is the same on all ranks.
+      last_output_at = state.cycles;
+      ++n_outputs;
+    }
+
+
+
+    std::string
+    RunRecorder::vtu_name() const
+    {
+      return Output::numbered_name("bushing", n_outputs, "vtu");
+    }
+
+
+
+    void
+    RunRecorder::write_fields(const RunState                  &state,
+                              const std::list<WearingBushing> &bushings)
+    {
+      write_cycle_tables(directory,
+                         parameters.mechanism,
+                         state.duty_cycle,
+                         n_outputs);
+      write_mechanism(state.duty_cycle);
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          write_bushing(state, bushing, state.contacts[b]);
+          vtu_files[b].emplace_back(state.cycles, vtu_name());
+          Output::write_pvd(directory.joint_file(bushing.name(), "bushing.pvd"),
+                            vtu_files[b]);
+          ++b;
+        }
+    }
+
+
+
+    void
+    RunRecorder::open_history()
+    {
+      std::vector<std::string> columns = {"cycles [-]", "wear_step [-]"};
+      for (const BushingParameters &bushing : parameters.bushings)
+        for (const char *column : {"max_wear_depth [m]",
+                                   "worn_volume [m^3]",
+                                   "peak_force [N]",
+                                   "mean_normal_force [N]",
+                                   "max_pressure [Pa]",
+                                   "clearance [m]",
+                                   "pin_max_wear_depth [m]",
+                                   "pin_worn_volume [m^3]"})
+          columns.push_back(bushing.name + " " + column);
+      history = std::make_unique<TableWriter>(
+        directory.file("history.csv"),
+        std::vector<std::string>(
+          {"A row per wear step. Depth: largest of the bore. Volume: measured "
+           "on the worn mesh. Forces: largest total and mean normal force of "
+           "the cycle.",
+           "Pressure: largest of the cycle. Clearance: largest, bore radius "
+           "minus pin radius plus depths. Pin: what wear has taken from its "
+           "radius and from its volume."}),
+        columns);
+    }
+
+
+
+    void
+    RunRecorder::write_history_row(const RunState                  &state,
+                                   const std::list<WearingBushing> &bushings)
+    {
+      if (bushings.empty())
+        return;
+      if (history == nullptr)
+        open_history();
+
+      std::vector<double> row = {state.cycles,
+                                 static_cast<double>(state.counts.wear_steps)};
+      std::size_t         b   = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          const Multibody::JointDutyCycle &cycle =
+            state.duty_cycle.joint(bushing.name());
+          row.insert(row.end(),
+                     {bushing.profile().max_depth(),
+                      bushing.worn_volume(),
+                      cycle.peak_force(),
+                      cycle.mean_normal_force(),
+                      state.contacts[b].max_pressure,
+                      bushing.largest_clearance(bushing.depth()),
+                      bushing.wearing_pin() != nullptr
+                        ? bushing.wearing_pin()->profile().max_depth()
+                        : 0.,
+                      bushing.pin_worn_volume()});
+          ++b;
+        }
+      history->write_row(row);
+    }
+
+
+
+    void
+    RunRecorder::write_mechanism(const Multibody::DutyCycle &cycle) const
+    {
+      // More would only make the film slower.
+      constexpr Eigen::Index max_frames = 180;
+
+      const MechanismPicture picture(mechanism, cycle);
+      const Eigen::Index     n      = cycle.time.size();
+      const Eigen::Index     stride = (n + max_frames - 1) / max_frames;
+      std::vector<std::pair<double, std::string>> frames;
+      for (Eigen::Index s = 0; s < n; s += stride)
+        {
+          const std::string name =
+            Output::numbered_name("mechanism", frames.size(), "vtu");
+          Output::write_mechanism_vtu(directory.joint_file("mechanism", name),
+                                      picture.draw(s));
+          frames.emplace_back(cycle.time[s], "mechanism/" + name);
+        }
+      Output::write_pvd(directory.file("mechanism.pvd"), frames);
+
+      const std::string file_name =
+        directory.joint_file("mechanism", "legend.txt");
+      std::ofstream file(file_name);
+      file << picture.legend() << std::flush;
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+    }
+
+
+
+    void
+    RunRecorder::write_bushing(const RunState       &state,
+                               const WearingBushing &bushing,
+                               const CycleContact   &contact)
+    {
+      TableWriter table(
+        directory.joint_file(
+          bushing.name(), Output::numbered_name("profile", n_outputs, "csv")),
+        {"Bushing '" + bushing.name() + "' after " +
+           std::to_string(std::lround(state.cycles)) + " cycles.",
+         "Angle: of the bore node in the bushing's frame, counter-clockwise. "
+         "Depth: along the as-manufactured normal. Pressure: largest of the "
+         "cycle at that node."},
+        {"angle [deg]", "bushing_wear_depth [m]", "peak_pressure [Pa]"});
+      for (Eigen::Index i = 0; i < bushing.profile().depth.size(); ++i)
+        table.write_row({Units::degrees(bushing.node_angles()[i]),
+                         bushing.profile().depth[i],
+                         contact.peak_pressure[i]});
+
+      if (bushing.wearing_pin() != nullptr)
+        write_pin(state, bushing);
+    }
+
+
+
+    void
+    RunRecorder::write_pin(const RunState       &state,
+                           const WearingBushing &bushing) const
+    {
+      const WearingPin &pin = *bushing.wearing_pin();
+      TableWriter       table(
+        directory.joint_file(
+          bushing.name(),
+          Output::numbered_name("pin_profile", n_outputs, "csv")),
+        {"Pin of '" + bushing.name() + "' after " +
+                 std::to_string(std::lround(state.cycles)) + " cycles.",
+               "Angle: of the node in the pin's frame, counter-clockwise. Depth: "
+                     "what wear has taken from the pin's radius."},
+        {"angle [deg]", "pin_wear_depth [m]"});
+      for (Eigen::Index i = 0; i < pin.node_angles().size(); ++i)
+        table.write_row(
+          {Units::degrees(pin.node_angles()[i]), pin.profile().depth[i]});
+    }
+
+
+
+    void
+    RunRecorder::print_progress(const RunState                  &state,
+                                const std::list<WearingBushing> &bushings)
+    {
+      const double elapsed = seconds_since(started_at);
+      const double remaining =
+        elapsed * (parameters.cycles / std::max(state.cycles, 1.) - 1.);
+
+      std::ostringstream line;
+      line << std::fixed << std::setprecision(0) << std::setw(9) << state.cycles
+           << " of " << parameters.cycles << " cycles";
+      std::size_t b = 0;
+      for (const WearingBushing &bushing : bushings)
+        {
+          line << "   " << bushing.name() << ' ' << std::setprecision(4)
+               << bushing.profile().max_depth() * 1e3 << " mm, "
+               << std::setprecision(2) << state.contacts[b].max_pressure * 1e-6
+               << " MPa";
+          ++b;
+        }
+      line << "   " << clock_time(elapsed) << " passed, "
+           << clock_time(remaining) << " to go";
+      console.out() << line.str() << std::endl;
+      progress_printed_at = std::chrono::steady_clock::now();
+    }
+  } // namespace Coupling
+} // namespace Tribody
