@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 """The contact of compare in CalculiX (calculix-ccx): a full ring and the rigid
 surface of a pin, one layer of C3D20R each, in plane strain by no displacement
 along the axis, and surface-to-surface penalty contact. The pin is moved to where

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // How long contact takes on the validation joint (a rigid pin of 9.525 mm in a
 // bushing of 9.535 mm, rim 15.875 mm, E = 0.139 GPa, nu = 0.38, plane strain,
 // 13.1 mm long), by the number of bore nodes:
@@ -118,7 +120,7 @@ namespace
     const Joint &joint = round_joint(state.range(0));
     for (auto _ : state)
       benchmark::DoNotOptimize(
-        Contact::HierarchicalCompliance(joint.compliance.matrix()));
+        HierarchicalCompliance(joint.compliance.matrix()));
   }
 
   void

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // What the dynamics costs at a measured accuracy.
 //
 // Usage: benchmark_dynamics DIRECTORY_WITH_PRM_FILES [--json] [CASE ...]
@@ -307,9 +309,9 @@ measure(const Case &benchmark, json *results)
             (longer.cycle.statistics.n_steps -
              result.cycle.statistics.n_steps));
         }
-      const IntegratorStatistics &n      = result.cycle.statistics;
-      const double                cycles = result.cycle.settling.n_cycles;
-      const double                error =
+      const Sundials::IntegratorStatistics &n = result.cycle.statistics;
+      const double cycles                     = result.cycle.settling.n_cycles;
+      const double error =
         relative_rms_error(result.cycle.joint(benchmark.joint), exact);
       if (results != nullptr)
         (*results)["runs"].push_back({{"accuracy", accuracy},

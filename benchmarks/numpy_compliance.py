@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 """The compliance of the unworn ring as a careful user would script it: quadratic
 cells assembled with NumPy, SciPy's sparse factor, one solution per bore node."""
 

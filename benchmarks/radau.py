@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tribody's dynamics beside SciPy's Radau on the same equations.
 
 Usage: radau.py BENCHMARK_DYNAMICS DIRECTORY_WITH_PRM_FILES [CASE ...]

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The contact of a cycle of 200 samples on 360 bore nodes, shared by the ranks
 // it is started on, cold and warm: fastest and median of 51 wall
 // times.

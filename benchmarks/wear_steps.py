@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Implicit cycle jumps beside constant extrapolation, on several meshes.
 
     benchmarks/wear_steps.py build/release/tribody \\

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # tribody_setup_target(TARGET): flags that every target of ours shares.
 function(tribody_setup_target _target)
   deal_ii_setup_target(${_target})
@@ -23,6 +24,9 @@ function(tribody_module _folder)
   string(REPLACE "/" "_" _name ${_folder})
   add_library(tribody_${_name} STATIC ${_module_SOURCES})
   tribody_setup_target(tribody_${_name})
+  # deal.II's headers cost more than our sources: read once for several files.
+  set_target_properties(tribody_${_name} PROPERTIES
+                        UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
   list(TRANSFORM _module_DEPENDS REPLACE "/" "_")
   list(TRANSFORM _module_DEPENDS PREPEND tribody_)
   # The plain signature: deal_ii_setup_target uses it, and CMake allows one.

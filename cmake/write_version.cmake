@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 cmake_policy(VERSION 3.22)
 
 # Write tribody_version.h with the revision of the sources, at build time, so

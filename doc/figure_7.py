@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The joint force of the steel slider-crank of Mukras et al. (2010) over a
 revolution, ideal joint and clearances of 0.5 um and 5 mm, as in their figure 7.
 

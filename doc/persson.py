@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pressure between a disc and the hole of an infinite plate of the same material.
 
 Persson's problem (1964): no friction, small clearance dR, load Q per length. A

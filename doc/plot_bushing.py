@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws how a bushing wears: stress and contact pressure at three stages.
 
     doc/plot_bushing.py OUTPUT_DIR JOINT -o picture.png

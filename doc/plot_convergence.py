@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws how contact converges under refinement, from the outputs of tests.
 
     doc/plot_convergence.py [-o doc/images/convergence.png]

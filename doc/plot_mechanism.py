@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws a mechanism at some moments of its recorded cycle.
 
     doc/plot_mechanism.py OUTPUT_DIR -o picture.png

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws the curves of a run: forces, contact angles, worn profiles, wear.
 
     doc/plot_results.py OUTPUT_DIR [JOINT ...] -o results.png

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <tribody/algebra/cholesky_factor.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/exceptions.h>
 
 #include <tribody/algebra/dense_products.h>
@@ -16,7 +18,7 @@
 
 namespace Tribody
 {
-  namespace Contact
+  namespace DenseProducts
   {
     namespace
     {
@@ -304,5 +306,5 @@ namespace Tribody
       add_product(a, b, product);
       return product;
     }
-  } // namespace Contact
+  } // namespace DenseProducts
 } // namespace Tribody

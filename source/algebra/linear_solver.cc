@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/dofs/dof_handler.h>
 
 #include <tribody/algebra/direct_solver.h>

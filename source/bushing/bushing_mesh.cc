@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/tria.h>
 

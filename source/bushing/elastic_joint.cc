@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/fe/mapping_q.h>
 
 #include <Eigen/Cholesky>
@@ -36,13 +39,13 @@ namespace Tribody
       unsigned int
       finest_bore_cells(const BoreNodes &nodes)
       {
-        double narrowest = 2. * M_PI;
+        double narrowest = 2. * dealii::numbers::PI;
         for (Eigen::Index i = nodes.degree; i < nodes.n_nodes();
              i += nodes.degree)
           narrowest =
             std::min(narrowest,
                      nodes.angles[i] - nodes.angles[i - nodes.degree]);
-        return std::lround(2. * M_PI / narrowest);
+        return std::lround(2. * dealii::numbers::PI / narrowest);
       }
     } // namespace
 

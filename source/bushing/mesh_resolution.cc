@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
 #include <deal.II/grid/tria.h>
 
 #include <tribody/base/exceptions.h>
@@ -43,7 +46,7 @@ namespace Tribody
         parameters.mesh.n_bore_cells = n;
         parameters.mesh.n_radial_cells =
           count_layers(parameters.mesh,
-                       2. * M_PI * joint.bushing_radius / n,
+                       2. * dealii::numbers::PI * joint.bushing_radius / n,
                        Elasticity::thinnest_wall(
                          *make_bushing_mesh(parameters, joint.bushing_radius),
                          joint.bushing_radius));
@@ -99,9 +102,9 @@ namespace Tribody
       if (n_nodes == 0 || !(cycle.normal_force.maxCoeff() > 0.))
         return parameters;
 
-      const double arc = contact_arc(parameters, joint, cycle);
-      const double n_fine_cells =
-        std::ceil(n_nodes * 2. * M_PI / (arc * parameters.element_degree));
+      const double arc          = contact_arc(parameters, joint, cycle);
+      const double n_fine_cells = std::ceil(n_nodes * 2. * dealii::numbers::PI /
+                                            (arc * parameters.element_degree));
       AssertThrow(
         n_fine_cells <= max_bore_cells,
         ExcRun("Bushing " + parameters.name + ": " + std::to_string(n_nodes) +

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/mpi.h>
 
 #include <tribody/base/exceptions.h>

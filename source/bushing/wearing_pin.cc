@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/bushing/wearing_pin.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 

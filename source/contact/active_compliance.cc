@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/exceptions.h>
 
 #include <Eigen/LU>
@@ -16,7 +18,7 @@ namespace Tribody
     namespace
     {
       /// Following this part of the nodes costs as much as a new inverse.
-      constexpr double largest_change = 0.3;
+      constexpr double most_exchanged = 0.3;
 
       /// From so many nodes on it takes longer to follow them.
       constexpr std::size_t n_hierarchical = 400;
@@ -53,7 +55,7 @@ namespace Tribody
                           std::back_inserter(leaving));
       const bool is_small_change =
         expect_small_changes && !are_many && form != Form::hierarchy &&
-        entering.size() + leaving.size() <= largest_change * nodes.size();
+        entering.size() + leaving.size() <= most_exchanged * nodes.size();
       if (!is_small_change)
         {
           active_set = nodes;
@@ -160,7 +162,7 @@ namespace Tribody
           .matrixL()
           .solve(inverse.block(n_kept, 0, n_leaving, n_kept));
       const Eigen::MatrixXd B = C(order, entering);
-      Eigen::MatrixXd       Y = multiply(X, B);
+      Eigen::MatrixXd       Y = DenseProducts::multiply(X, B);
       Y -= Z_K.transpose() * (Z_K * B);
       const Eigen::LLT<Eigen::MatrixXd> S(C(entering, entering) -
                                           B.transpose() * Y);
@@ -170,7 +172,7 @@ namespace Tribody
       Z.bottomRows(n_entering) = S.matrixL().solve(Y.transpose());
       Eigen::MatrixXd signed_Z = Z.transpose();
       signed_Z.leftCols(n_leaving) *= -1.;
-      add_product(signed_Z, Z, X);
+      DenseProducts::add_product(signed_Z, Z, X);
 
       const Eigen::MatrixXd inverse_of_S =
         S.solve(Eigen::MatrixXd::Identity(n_entering, n_entering));
@@ -202,7 +204,7 @@ namespace Tribody
       for (Eigen::Index k = 0; k < m; ++k)
         ordered.row(place[active_set[k]]) = right_hand_sides.row(k);
       const Eigen::MatrixXd product =
-        multiply(inverse.topLeftCorner(m, m), ordered);
+        DenseProducts::multiply(inverse.topLeftCorner(m, m), ordered);
       for (Eigen::Index k = 0; k < m; ++k)
         ordered.row(k) = product.row(place[active_set[k]]);
       return ordered;

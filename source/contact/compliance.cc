@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/algebra/hierarchical_compliance.h>
 #include <tribody/contact/compliance.h>
 

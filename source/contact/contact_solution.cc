@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <Eigen/QR>
 
@@ -29,7 +32,7 @@ namespace Tribody
         const double sine   = direction[0] * other[1] - direction[1] * other[0];
         const double cosine = direction.dot(other);
         const double angle  = std::atan2(sine, cosine);
-        return angle < 0. ? angle + 2. * M_PI : angle;
+        return angle < 0. ? angle + 2. * dealii::numbers::PI : angle;
       }
 
       /// Where @f$c_0 + c_1 x + c_2 x^2@f$ rises through zero, or NaN.
@@ -297,7 +300,7 @@ namespace Tribody
       if (m == 0)
         return 0.;
       if (m == static_cast<std::size_t>(surface.n_nodes()))
-        return M_PI;
+        return dealii::numbers::PI;
 
       // The contact lies between the two ends of the widest opening.
       std::size_t before_opening = 0;
@@ -311,7 +314,8 @@ namespace Tribody
             surface.positions.col(active[k]) - solution.pin_centre;
           const Eigen::Vector2d to =
             surface.positions.col(active[(k + 1) % m]) - solution.pin_centre;
-          const double opening = (m == 1) ? 2. * M_PI : turn(from, to);
+          const double opening =
+            (m == 1) ? 2. * dealii::numbers::PI : turn(from, to);
           if (opening > widest)
             {
               widest         = opening;
@@ -320,7 +324,8 @@ namespace Tribody
         }
       const Eigen::Index last  = active[before_opening];
       const Eigen::Index first = active[(before_opening + 1) % m];
-      return 0.5 * (2. * M_PI - widest + overhang(solution, surface, last, +1) +
+      return 0.5 * (2. * dealii::numbers::PI - widest +
+                    overhang(solution, surface, last, +1) +
                     overhang(solution, surface, first, -1));
     }
 

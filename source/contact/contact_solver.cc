@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/exceptions.h>
 
 #include <Eigen/LU>
@@ -310,7 +312,7 @@ namespace Tribody
       const Eigen::MatrixXd &C = compliance.matrix();
       for (const Arc &row : rows_of_gap)
         for (const Arc &column : columns)
-          add_product(
+          DenseProducts::add_product(
             C.block(row.begin, column.begin, row.length, column.length),
             iterate.nodal_force.segment(column.begin, column.length),
             iterate.yielding.segment(row.begin, row.length));

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <Eigen/LU>
 
 #include <tribody/algebra/dense_products.h>
@@ -76,7 +78,7 @@ namespace Tribody
            ? Square((stiffness + geometric).inverse())
            : Places::invert_stiffness(stiffness, active, n_bore);
       Eigen::MatrixXd sensitivity = active_compliance.compute_inverse();
-      add_product(-y * balance, y.transpose(), sensitivity);
+      DenseProducts::add_product(-y * balance, y.transpose(), sensitivity);
       return sensitivity;
     }
   } // namespace Contact

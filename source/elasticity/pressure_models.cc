@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -26,7 +29,7 @@ namespace Tribody
       double
       positive_turn(const double angle)
       {
-        return angle < 0. ? angle + 2. * M_PI : angle;
+        return angle < 0. ? angle + 2. * dealii::numbers::PI : angle;
       }
 
       /**
@@ -137,16 +140,17 @@ namespace Tribody
 
       // The terms fall like the fifth power of n once it has a wave between two
       // nodes.
-      double spacing = 2. * M_PI;
+      double spacing = 2. * dealii::numbers::PI;
       for (Eigen::Index i = 0; i < n_nodes; ++i)
         spacing = std::min(spacing,
                            positive_turn(angle_of(bore, (i + 1) % n_nodes) -
                                          angle_of(bore, i)));
-      const auto n_terms = static_cast<Eigen::Index>(4. * M_PI / spacing);
+      const auto n_terms =
+        static_cast<Eigen::Index>(4. * dealii::numbers::PI / spacing);
 
       Eigen::MatrixXd compliance(n_nodes, n_columns);
       compliance.setConstant(hole_compliance(law, radius, held_radius, 0.) /
-                             (2. * M_PI * radius));
+                             (2. * dealii::numbers::PI * radius));
       constexpr Eigen::Index block = 64;
       for (Eigen::Index first = 1; first <= n_terms; first += block)
         {
@@ -160,7 +164,7 @@ namespace Tribody
               waves.col(n + k)   = (order * shapes.angles).sin();
               factors[k]         = factors[n + k] =
                 hole_compliance(law, radius, held_radius, order) /
-                (M_PI * radius);
+                (dealii::numbers::PI * radius);
             }
           const Eigen::MatrixXd integrals =
             shapes.values * (shapes.weights.asDiagonal() * waves);

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -59,7 +62,7 @@ namespace Tribody
                                  Units::to_string(inner_radius, "m", "mm")));
       for (unsigned int i = 0; i < n_samples; ++i)
         {
-          const double t = 2. * M_PI * i / n_samples;
+          const double t = 2. * dealii::numbers::PI * i / n_samples;
           AssertThrow(
             point(outer_radius, t).norm() > inner_radius,
             ExcParameter(path + "/Outer centre",
@@ -111,7 +114,8 @@ namespace Tribody
       triangulation.set_manifold(BoundaryIds::bore,
                                  dealii::SphericalManifold<2>());
       const double a = outer_radius;
-      const double b = shape.point(a, 0.5 * M_PI)[1] - shape.centre[1];
+      const double b =
+        shape.point(a, 0.5 * dealii::numbers::PI)[1] - shape.centre[1];
       if (a == b)
         triangulation.set_manifold(BoundaryIds::rim,
                                    dealii::SphericalManifold<2>(shape.centre));

@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -62,7 +65,7 @@ namespace Tribody
               layer_radius(inner_radius, outer_radius, k, n_layers, grading);
             for (unsigned int i = 0; i < n; ++i)
               {
-                const double angle = 2. * M_PI * i / n;
+                const double angle = 2. * dealii::numbers::PI * i / n;
                 vertices.emplace_back(r * std::cos(angle), r * std::sin(angle));
               }
           }
@@ -221,7 +224,7 @@ namespace Tribody
                                  " is not in [0, 5]."));
       const double width = sector[1] - sector[0];
       AssertThrow(n_sector_refinements == 0 ||
-                    (width > 0. && width < 2. * M_PI),
+                    (width > 0. && width < 2. * dealii::numbers::PI),
                   ExcParameter(path + "/Refined sector",
                                "it must end after it begins, less than a turn "
                                "later; it is " +
@@ -265,8 +268,8 @@ namespace Tribody
       const double half_width =
         0.5 * (parameters.sector[1] - parameters.sector[0]);
       const auto from_middle = [middle](const dealii::Point<2> &x) {
-        return std::abs(
-          std::remainder(std::atan2(x[1], x[0]) - middle, 2. * M_PI));
+        return std::abs(std::remainder(std::atan2(x[1], x[0]) - middle,
+                                       2. * dealii::numbers::PI));
       };
       for (unsigned int k = 1; k <= parameters.n_sector_refinements; ++k)
         {

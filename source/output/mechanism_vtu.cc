@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/grid/reference_cell.h>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
 #include <tribody/results/mechanism_picture.h>
 
 #include <algorithm>
@@ -46,8 +50,10 @@ namespace Tribody
           line.points.push_back(
             centre +
             radius *
-              Eigen::Vector2d(std::cos(2 * M_PI * i / n_segments + turned_by),
-                              std::sin(2 * M_PI * i / n_segments + turned_by)));
+              Eigen::Vector2d(
+                std::cos(2 * dealii::numbers::PI * i / n_segments + turned_by),
+                std::sin(2 * dealii::numbers::PI * i / n_segments +
+                         turned_by)));
         return line;
       }
     } // namespace

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <boost/program_options.hpp>
 
 #include <tribody/base/console.h>

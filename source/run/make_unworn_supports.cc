@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/bushing/elastic_joint.h>
 #include <tribody/bushing/elastic_support.h>
 #include <tribody/run/make_unworn_supports.h>

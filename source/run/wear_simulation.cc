@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
@@ -150,7 +152,7 @@ namespace Tribody
             << " pressure model, "
             << (bushing.has_elastic_pin() ? "elastic" : "rigid")
             << " pin (modulus "
-            << Multibody::significant_digits(
+            << significant_digits(
                  bushing.joint_parameters().pin_material.youngs_modulus /
                    bushing.joint_parameters().bushing_material.youngs_modulus,
                  3)

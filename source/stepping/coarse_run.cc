@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/bushing/bushing_mesh.h>
 #include <tribody/stepping/coarse_run.h>
 #include <tribody/stepping/make_jump.h>

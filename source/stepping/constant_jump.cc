@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <tribody/stepping/constant_jump.h>

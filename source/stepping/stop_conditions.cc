@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/base/units.h>
 #include <tribody/stepping/stop_conditions.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>

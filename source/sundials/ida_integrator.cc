@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <idas/idas.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
@@ -16,7 +18,7 @@
 
 namespace Tribody
 {
-  namespace Multibody
+  namespace Sundials
   {
     struct IdaIntegrator::Memory
     {
@@ -450,5 +452,5 @@ namespace Tribody
       total += memory->statistics_of_this_run();
       return total;
     }
-  } // namespace Multibody
+  } // namespace Sundials
 } // namespace Tribody

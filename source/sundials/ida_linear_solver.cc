@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <Eigen/LU>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_klu.h>
@@ -13,7 +15,7 @@
 
 namespace Tribody
 {
-  namespace Multibody
+  namespace Sundials
   {
     namespace
     {
@@ -247,5 +249,5 @@ namespace Tribody
                   ExcRun("SUNDIALS could not allocate its memory."));
       return result;
     }
-  } // namespace Multibody
+  } // namespace Sundials
 } // namespace Tribody

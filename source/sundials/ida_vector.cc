@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <nvector/nvector_serial.h>
 
 #include <tribody/sundials/ida_vector.h>
@@ -6,7 +8,7 @@
 
 namespace Tribody
 {
-  namespace Multibody
+  namespace Sundials
   {
     namespace
     {
@@ -92,5 +94,5 @@ namespace Tribody
     {
       return {NV_DATA_S(x), static_cast<Eigen::Index>(NV_LENGTH_S(x))};
     }
-  } // namespace Multibody
+  } // namespace Sundials
 } // namespace Tribody

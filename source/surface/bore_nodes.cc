@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
@@ -48,7 +51,7 @@ namespace Tribody
       const double angle = std::atan2(point[1], point[0]);
       if (angle >= 0.)
         return angle;
-      return angle > -1e-12 ? 0. : angle + 2. * M_PI;
+      return angle > -1e-12 ? 0. : angle + 2. * dealii::numbers::PI;
     }
 
     /**
@@ -142,7 +145,7 @@ namespace Tribody
           return node.is_vertex;
         });
       for (auto node = nodes.begin(); node != first; ++node)
-        node->angle += 2. * M_PI;
+        node->angle += 2. * dealii::numbers::PI;
       std::rotate(nodes.begin(), first, nodes.end());
       return nodes;
     }
@@ -158,9 +161,9 @@ namespace Tribody
       for (std::size_t i = 0; closed && i < nodes.size(); i += degree)
         {
           const std::size_t next = (i + degree) % nodes.size();
-          const double      turn =
-            nodes[next].angle - nodes[i].angle + (next == 0 ? 2. * M_PI : 0.);
-          closed = nodes[i].is_vertex && turn < M_PI &&
+          const double      turn = nodes[next].angle - nodes[i].angle +
+                              (next == 0 ? 2. * dealii::numbers::PI : 0.);
+          closed = nodes[i].is_vertex && turn < dealii::numbers::PI &&
                    faces.ends.count(
                      std::minmax(nodes[i].x_dof, nodes[next].x_dof)) == 1;
         }

@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/numbers.h>
 
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <boost/math/interpolators/makima.hpp>
@@ -12,8 +15,6 @@ namespace Tribody
 {
   namespace
   {
-    constexpr double two_pi = 2. * M_PI;
-
     // The periodic continuation on each side of the turn. The influence of
     // the end conditions on a cubic spline falls by 0.27 from node to node.
     constexpr int n_padding = 24;
@@ -24,7 +25,7 @@ namespace Tribody
                        const Eigen::VectorXd &clearances)
     {
       const int    n       = angles.size();
-      const double spacing = two_pi / n;
+      const double spacing = 2. * dealii::numbers::PI / n;
       bool         is_even = true;
       for (int i = 0; i < n; ++i)
         is_even =
@@ -37,7 +38,7 @@ namespace Tribody
       for (int i = -wrap; i < n + wrap; ++i)
         {
           const int turn = (i < 0) ? -1 : i / n;
-          x.push_back(angles(i - turn * n) + turn * two_pi);
+          x.push_back(angles(i - turn * n) + turn * 2. * dealii::numbers::PI);
           y.push_back(clearances(i - turn * n));
         }
       const boost::math::interpolators::makima<std::vector<double>> curve(
@@ -45,7 +46,7 @@ namespace Tribody
 
       std::vector<double> values(4 * n);
       for (int i = 0; i < 4 * n; ++i)
-        values[i] = curve(angles(0) + i * two_pi / (4 * n));
+        values[i] = curve(angles(0) + i * 2. * dealii::numbers::PI / (4 * n));
       return values;
     }
   } // namespace
@@ -64,7 +65,7 @@ namespace Tribody
     make_curve(const std::vector<double> &values)
     {
       const int           n       = values.size();
-      const double        spacing = two_pi / n;
+      const double        spacing = 2. * dealii::numbers::PI / n;
       std::vector<double> padded(n + 2 * n_padding + 1);
       const auto          periodic = [&](const int i) {
         return values[((i % n) + n) % n];
@@ -87,7 +88,8 @@ namespace Tribody
     reduced(const double angle) const
     {
       const double x = angle - origin;
-      return x - two_pi * std::floor(x / two_pi);
+      return x - 2. * dealii::numbers::PI *
+                   std::floor(x / (2. * dealii::numbers::PI));
     }
 
     unsigned int                                                n_nodes;

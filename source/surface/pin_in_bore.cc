@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
 #include <Eigen/LU>
 
 #include <tribody/surface/pin_in_bore.h>
@@ -60,16 +64,16 @@ namespace Tribody
     table_y.resize(n);
     for (int i = 0; i < n; ++i)
       {
-        const double theta = 2. * M_PI * i / n;
+        const double theta = 2. * dealii::numbers::PI * i / n;
         const double r     = radius + surfaces.bushing.clearance(theta);
         table_x(i)         = r * std::cos(theta);
         table_y(i)         = r * std::sin(theta);
       }
     least_pin_wear = surfaces.pin_wear.mean();
     for (int i = 0; i < n_pin; ++i)
-      least_pin_wear =
-        std::min(least_pin_wear,
-                 surfaces.pin_wear.clearance(2. * M_PI * i / n_pin));
+      least_pin_wear = std::min(least_pin_wear,
+                                surfaces.pin_wear.clearance(
+                                  2. * dealii::numbers::PI * i / n_pin));
   }
 
 
@@ -226,7 +230,7 @@ namespace Tribody
   {
     // Newton's method for the largest overlap beside the deepest point of the
     // table, kept between its neighbours by bisection.
-    const double     spacing = 2. * M_PI / table_x.size();
+    const double     spacing = 2. * dealii::numbers::PI / table_x.size();
     const double     start   = spacing * deepest_table_entry(e, alpha);
     Overlap          overlap = evaluate_overlap(start, e, alpha);
     double           lower = start - spacing, upper = start + spacing;
@@ -328,7 +332,7 @@ namespace Tribody
     double             previous = 0.;
     for (Eigen::Index i = 0; i <= n; ++i)
       {
-        const double          theta = 2. * M_PI * (i % n) / n;
+        const double          theta = 2. * dealii::numbers::PI * (i % n) / n;
         const Eigen::Vector2d tangent =
           evaluate_overlap(theta, Eigen::Vector2d::Zero(), alpha).d_x;
         const double ahead = tangent.dot(direction);

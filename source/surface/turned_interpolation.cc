@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -111,7 +114,7 @@ namespace Tribody
             const Eigen::Vector2d vertex = pin.positions.col(node(i, 0));
             angles.push_back(std::atan2(vertex[1], vertex[0]));
             if (i > 0 && angles[i] < angles[0])
-              angles[i] += 2. * M_PI;
+              angles[i] += 2. * dealii::numbers::PI;
           }
       }
 
@@ -122,11 +125,12 @@ namespace Tribody
       {
         const Eigen::Vector2d d     = to_pin_frame * direction.normalized();
         double                angle = std::atan2(d[1], d[0]) - angles[0];
-        angle += angles[0] - 2. * M_PI * std::floor(angle / (2. * M_PI));
+        angle += angles[0] - 2. * dealii::numbers::PI *
+                               std::floor(angle / (2. * dealii::numbers::PI));
         const auto next = std::upper_bound(angles.begin(), angles.end(), angle);
         const Eigen::Index piece = next - angles.begin() - 1;
         const double       end =
-          (next == angles.end()) ? angles[0] + 2. * M_PI : *next;
+          (next == angles.end()) ? angles[0] + 2. * dealii::numbers::PI : *next;
         double s = (angle - angles[piece]) / (end - angles[piece]);
         // Newton's method on the nearly linear angle: three steps are exact.
         for (unsigned int k = 0; k < 3; ++k)

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/polynomial.h>
 
 #include <tribody/surface/turned_surfaces.h>
@@ -9,8 +12,6 @@ namespace Tribody
 {
   namespace
   {
-    constexpr double two_pi = 2. * M_PI;
-
     // What columns() leaves out.
     constexpr double dropped = 1e-4;
 
@@ -128,8 +129,8 @@ namespace Tribody
         facing_angles(0, piece) = first;
         for (unsigned int k = 1; k <= degree; ++k)
           facing_angles(k, piece) =
-            first +
-            std::remainder(facing_angle[node(piece, k)] - first, two_pi);
+            first + std::remainder(facing_angle[node(piece, k)] - first,
+                                   2. * dealii::numbers::PI);
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const Eigen::VectorXd phi =
@@ -169,7 +170,7 @@ namespace Tribody
         const auto place = [&](const double s) {
           return (shape_values(degree, s).dot(facing_angles.col(piece)) -
                   pin_angle) *
-                 n_pin_pieces / two_pi;
+                 n_pin_pieces / (2. * dealii::numbers::PI);
         };
         double       begin = 0.;
         const double last  = std::ceil(place(1.)) - 0.5;
@@ -206,7 +207,7 @@ namespace Tribody
           lengths[piece] * (end - begin) * quadrature.weight(q);
         const Eigen::VectorXd phi = shape_values(degree, s);
         const double place = (phi.dot(facing_angles.col(piece)) - pin_angle) *
-                             n_pin_pieces / two_pi;
+                             n_pin_pieces / (2. * dealii::numbers::PI);
         const double       whole     = std::floor(place);
         const Eigen::Index pin_piece = static_cast<Eigen::Index>(
           whole - n_pin_pieces * std::floor(whole / n_pin_pieces));
@@ -248,7 +249,7 @@ namespace Tribody
     for (unsigned int piece = 0; piece < n_pieces; ++piece)
       for (unsigned int k = 0; k < degree; ++k)
         angles[piece * degree + k] =
-          two_pi * (piece + nodes.point(k)[0]) / n_pieces;
+          2. * dealii::numbers::PI * (piece + nodes.point(k)[0]) / n_pieces;
     return angles;
   }
 } // namespace Tribody

@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/function_parser.h>
+#include <deal.II/base/numbers.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/wear/coefficient_factor.h>
@@ -38,7 +41,9 @@ namespace Tribody
       std::streambuf *const to_screen = std::cerr.rdbuf(words.rdbuf());
       try
         {
-          made->function.initialize("p,v,s", expression, {{"pi", M_PI}});
+          made->function.initialize("p,v,s",
+                                    expression,
+                                    {{"pi", dealii::numbers::PI}});
           // The first evaluation builds the parser of this thread.
           made->function.value(dealii::Point<3>(1., 1., 1.));
           std::cerr.rdbuf(to_screen);

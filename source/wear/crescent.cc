@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/numbers.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -52,7 +55,7 @@ namespace Tribody
       // reached, which bounds the depth from below and lets the upper end grow
       // until it holds.
       double lower = 2. * wear_coefficient * normal_force * distance /
-                     (M_PI * radius * axial_length);
+                     (dealii::numbers::PI * radius * axial_length);
       double upper = 2. * lower + clearance;
       while (sliding_distance(upper) < distance)
         upper *= 2.;

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <arkode/arkode_arkstep.h>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <nvector/nvector_serial.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/wear/wear_law.h>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Run the program on a bad parameter file and compare what it says on stderr
 # with the .output file beside it. It must exit with status 2 and write nothing.
 # Arguments: PROGRAM, CASE (path of the .prm file), DIRECTORY (to run in),

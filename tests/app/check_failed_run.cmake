@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Run the program on a case that must fail on its way with status 1. It must name
 # joint, depth and cell on stderr, and the results so far must be there. Arguments:
 # PROGRAM, CASE (path of the .prm file), DIRECTORY (to run in).

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Runs a parameter file as the program does and prints what the tests of this
 // directory compare: results in scaled units, beside closed forms and, if
 // reference/<name of the test>.csv exists, beside the joint forces tabulated

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // A block of the inverse of a sparse matrix. Known in closed form: for the
 // second difference (-1, 2, -1) of n points the inverse has the entries
 // min(i, j) (n + 1 - max(i, j)) / (n + 1), counted from one. The block is every

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // ParameterFile: include, continuation, comments, overrides and the place
 // where a value stands; and what it says to what it cannot use. Known from the
 // syntax of deal.II's ParameterHandler.

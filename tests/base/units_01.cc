@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Units: values as they stand in a data sheet, against factors known by
 // definition (1 rpm = 2 pi/60 rad/s, 1 mm^3/(N m) = 1e-9 m^2/N = 1e-9/Pa), what
 // is refused, and that what is written reads back.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The mesh of a deeply worn bushing. Known:
 // - the mesh displacement is linear along each ray, so that the wall keeps
 //   1 - h/t of its size where it has lost h of t: nothing is turned inside out

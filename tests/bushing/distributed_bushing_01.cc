@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // A bushing whose mesh ranks share. Known: it is the same bushing. Each rank
 // owns its share of the cells; compliance and lost area are compared with those
 // of the whole mesh and its factorisation. The tolerance of the iteration,

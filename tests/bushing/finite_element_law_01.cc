@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Finite element contact inside the dynamics: the position-controlled contact
 // of a rigid pin with an elastic ring, 180 bore nodes, as round and as worn.
 //

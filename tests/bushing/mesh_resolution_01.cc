@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Meshes chosen by the nodes across the contact, and the estimate of their
 // error. A tight joint (arc of 125 degrees) and a loose one (10 degrees), under
 // forces of which the largest decides. Known:

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The contact of a cycle, shared by ranks. Known: it is the same problem,
 // whoever solves it. Compliance, wear rate and peak pressures are compared with
 // those that every rank computes alone: the compliance to the bit, the others

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // A round ring, and one worn by a crescent of 0.3 mm, pressed by a rigid pin.
 // Known:
 // - The contact condensed to the bore's compliance and the contact on the full

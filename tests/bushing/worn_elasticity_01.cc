@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Elasticity on the worn mapping of a distorted, locally refined mesh.
 //
 // Patch test: under a displacement that is linear in space all stresses are

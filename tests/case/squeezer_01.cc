@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Andrews' squeezing mechanism, as shipped in prm/andrews_squeezer.prm: seven
 // bodies in closed loops, a spring attached off-centre, started from rest by a
 // constant torque. Known: its angles at t = 0.03 s to 13 digits, the reference

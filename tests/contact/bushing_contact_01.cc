@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The validation joint: rigid pin, R = 9.525 mm, in a ring of 9.535 mm whose
 // rim of 15.875 mm is clamped, E = 0.139 GPa, nu = 0.38, plane strain, 13.1 mm
 // long. Reference: an independent finite element solution, converged to about

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Contact on finite element compliances beside closed forms.
 //
 // A disc in the hole of a plate of the same material, which ends at 100 radii

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Contact on a compliance that is given in closed form, so no mesh: Fourier
 // modes cos n(theta - theta') of pressure move the bore by c/(1 + |n|) each,
 // n < N/2, which makes a symmetric, positive definite circulant C with the

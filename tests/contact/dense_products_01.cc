@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Products for following the active set. Known:
 // - They equal Eigen's in all shapes: few columns or few terms, more rows
 //   than a strip or fewer, blocks of a larger matrix. Sums of up to 100 terms
@@ -40,9 +42,9 @@ test_products()
           const Eigen::MatrixXd b      = random_matrix(k + 1, n);
           const Eigen::MatrixXd before = random_matrix(m + 4, n + 2);
           Eigen::MatrixXd       after  = before;
-          add_product(a.middleRows(2, m),
-                      b.topRows(k),
-                      after.block(1, 1, m, n));
+          DenseProducts::add_product(a.middleRows(2, m),
+                                     b.topRows(k),
+                                     after.block(1, 1, m, n));
           Eigen::MatrixXd change = after - before;
           change.block(1, 1, m, n) -= a.middleRows(2, m) * b.topRows(k);
           largest =

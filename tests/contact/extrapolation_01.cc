@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // What the contact of a sequence is started from. Known:
 // - Contacts whose ends move steadily, with forces like the root of the
 //   distance to the nearer end and gaps like its power 3/2: extrapolated from

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The compliance as a tree of arcs. Known:
 // - C_A^-1 times anything is what a dense factor gives, on a bore (scaled by up
 //   to 1.4, so that it is not the same everywhere) and on a free ring with bore

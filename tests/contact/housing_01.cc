@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // A free ring between a pin and a rigid housing, both contacts unilateral.
 // Known:
 // - Equilibrium: under a force on the pin the pressures at bore and rim carry

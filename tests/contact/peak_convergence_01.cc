@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The peak pressure of the validation joint (quadratic elements on meshes that
 // are graded towards the bore, all layers refined) and the place of its pin
 // under refinement: their errors against the finest mesh must fall at second

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // A disc in the hole of an infinite plate of the same material (Persson 1964),
 // under refinement, beside values of ten digits: doc/persson.py solves
 // Persson's integral equation by Chebyshev polynomials and agrees with the

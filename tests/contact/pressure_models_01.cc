@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // What the finite elements buy: the validation joint (rigid pin, plane strain)
 // under 25 N and 100 N with each pressure model, in per cent of the finite
 // element results, and the closed forms of the other two.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Contact on a bore that is refined in a sector, nodes hanging inside. Known:
 // the pressure is that of the mesh which is as fine everywhere, up to what the
 // coarser cells outside the sector and below change in the compliance. The

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The contact solver at its limits.
 //
 // Cycling: on compliances that are random, symmetric and positive definite,

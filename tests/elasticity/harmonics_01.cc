@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The compliance of bore and pin under a pressure p cos n t, for which closed
 // forms exist (kappa = 3 - 4 nu in plane strain, (3-nu)/(1+nu) in plane
 // stress):

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // A ring under pressure in its bore, clamped at the rim (Lame): u = A r + B/r
 // with u(b) = 0 and sigma_r(a) = -p, in plane strain and plane stress. The
 // L2 error of the displacement must fall at the rates 2, 3 (and 4) for degrees

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Meshes read from files of Gmsh (format 2). Known:
 // - A ring written to a file and read is the ring: its bore exactly round, its
 //   compliance that of the ring that was not written but for the rim, which in

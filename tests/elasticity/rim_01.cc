@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // What holds the rim, and its shape.
 //
 // A ring on an elastic foundation, closed forms in plane strain. Under pressure

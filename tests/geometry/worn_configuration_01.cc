@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The worn bushing. Known:
 // - without wear, nodes of bore and rim lie on their circles for every degree
 //   (a mapping that only displaces straight-sided cells leaves the nodes inside

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Analyses and elements against closed forms.
 //
 // Scotch yoke: x = r cos(w t); force in the slot -m r w^2 cos(w t). Four-bar:

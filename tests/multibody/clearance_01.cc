@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Clearance joints in slow motion.
 //
 // Steel, 0.5 um: the joint force is known from an independent integration

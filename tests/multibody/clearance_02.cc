@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The steel mechanism with a clearance of 5 mm from a centred start. Known from
 // three independent codes (design.md, section 10): a first impact of about
 // 4.6e4 N, 13 impacts, permanent contact from 0.21 s on, and in the second

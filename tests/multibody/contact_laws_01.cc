@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Laws of contact and friction, each against something known.
 //
 // Free impact of a pin on its bushing, integrated as the program does. Whatever

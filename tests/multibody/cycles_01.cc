@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Cycles that repeat, cycles that do not, contacts that a step could miss, and
 // memory.
 //

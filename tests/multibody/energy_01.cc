@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Where the energy of a motion goes, and reactions with their moments.
 //
 // Known in closed form:

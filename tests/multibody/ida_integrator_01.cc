@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Zeros that the integration does not leave at once. y' = 1, y(0) = 0, and a
 // root function that rises to zero at y = 1 and stays there until y = 2, like a
 // gap that closes to rounding only. Known: IDA finds a zero at the end of the
@@ -10,7 +12,7 @@
 #include <cmath>
 #include <iostream>
 
-using namespace Tribody::Multibody;
+using namespace Tribody::Sundials;
 
 int
 main()

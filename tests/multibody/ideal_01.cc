@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The slider-crank with ideal joints has no degree of freedom: positions by
 // Newton's method, forces by inverse dynamics. Known: the joint force of both
 // of the paper's mechanisms in both readings of "length", in closed form

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Derivatives of all elements against central differences at a state without
 // any symmetry: constraints (first and second derivatives, by coordinates and
 // by time; the reaction is what Phi_q^T lambda does to the second body),

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Every joint model in the crank pin of the steel slider-crank of Mukras et al.
 // (2010), and impacts with known answers.
 //

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Motions with known answers.
 //
 // Free double pendulum: the energy is conserved; its drift over 100 swings

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // A mechanism read from a parameter file in the syntax of the manual: what
 // stands there in millimetres, degrees and rpm arrives in SI units. Checks name
 // the parameter. The mechanism that was read is the paper's validation

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tests_multibody_report_h
 #define tests_multibody_report_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The film of a mechanism: what ParaView needs of a file is there. Known from
 // the input: a line of three points makes two cells of two points each, a point
 // that carries a force one cell.

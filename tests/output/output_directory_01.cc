@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // OutputDirectory: results of different runs never mix, and nothing of the
 // user's is touched. What must happen is stated in the class's documentation.
 

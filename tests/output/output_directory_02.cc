@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // OutputDirectory on several ranks: one that comes late must not take the
 // directory that the first rank has made for that of another run; what is
 // wrong with a directory is wrong on all ranks.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // 'Wear/Dynamics update': the motion is kept over several wear steps, and what
 // that does to the results is part of the estimated error. Known, for a
 // quarter of the cycles of prm/quickstart.prm:

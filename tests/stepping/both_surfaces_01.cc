@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Pin and bushing wear together under given duty cycles. Known:
 // - The derivative of the wear rates with respect to the depths of both
 //   surfaces is what central differences give, for a constant coefficient and

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Wear of bushing and elastic pin where the bushing is a free ring in a
 // housing. Known, for a ring that fits its housing, one with a gap as wide as
 // the clearance and one twenty times as wide:

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Implicit cycle jumps of a bushing under given duty cycles, without a
 // mechanism. Known:
 // - Under a force that swings by 60 deg to both sides and changes its size by

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 """Every .h and .cc file is formatted as clang-format 14 does with .clang-format.
 
 Usage: check_format.py ROOT

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 """The folders include only what the architecture allows.
 
 Checked are the #include lines of include/tribody/<folder>/ and

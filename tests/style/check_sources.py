@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 """Small rules that a search can check.
 
   - MPI_COMM_WORLD in source/main.cc only: a communicator is an argument;

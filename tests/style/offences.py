@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 """What the style checks share: finding files and reporting offences."""
 
 import os

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
 """The style checks find what they are there to find.
 
 A small correct project must pass; then one offence at a time is made in it,

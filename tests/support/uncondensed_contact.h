@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tests_support_uncondensed_contact_h
 #define tests_support_uncondensed_contact_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The nodes of a bushing mesh in its bore. Known: on a ring with n cells around
 // the bore and elements of degree p there are n p of them, on the circle, every
 // p-th at a multiple of 2 pi / n, beginning with angle zero; the dofs of a node

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The bore as a curve: on a round bore weights add up to the circumference and
 // the enclosed area to that of the circle at the rate of the interpolation
 // (2, 4, 6 for degrees 1, 2, 3 with Gauss-Lobatto nodes), normals are radial

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // The deepest penetration of a pin into a worn bore, with its derivatives.
 // Known: in a round bore |e| - c with the direction e/|e|; in an elliptic bore
 // any point p with its normal n, as the centre e = p - (R - delta) n follows

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Forces and displacements between a bore and a pin that is turned against it.
 // Known: whatever the angle, the number of nodes and the wear of the bore, each
 // nodal force keeps its direction and size, and the pin feels no moment, to

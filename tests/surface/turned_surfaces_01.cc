@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Fields carried between a bore and a pin that is turned against it. Known:
 // whatever the angle, the number of nodes and the wear of the bore, as much
 // arrives at the pin as leaves the bore, and what is the same everywhere on the

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Implicit cycle jumps against a closed form: dh/dN = -A (h - b N) with a stiff
 // matrix A (eigenvalues 1e-4 to 1, symmetric), whose solution from h = 0 is
 // h = b N - A^-1 b (1 - exp(-A N)). The error stays below the tolerance and

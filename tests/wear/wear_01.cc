@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Wear laws that have closed forms.
 //
 // Crescent: the depth is checked by differences of the sliding distance

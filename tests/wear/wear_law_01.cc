@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 // Wear coefficients that are not constant. Known:
 // - With k = k_1 (p/p_1)^m (v/v_1)^2 under a given pressure a node loses
 //   k_1 w p_1^-m p^(1+m) (v/v_1)^2 ds, and the derivative with respect to its

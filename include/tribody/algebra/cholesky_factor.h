@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_algebra_cholesky_factor_h
 #define tribody_algebra_cholesky_factor_h
 

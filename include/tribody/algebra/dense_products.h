@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_algebra_dense_products_h
 #define tribody_algebra_dense_products_h
 
@@ -5,7 +7,7 @@
 
 namespace Tribody
 {
-  namespace Contact
+  namespace DenseProducts
   {
     /// A matrix, or a block of one, whose columns are stored one after the
     /// other.
@@ -29,7 +31,7 @@ namespace Tribody
     /// @p a times @p b in the same way.
     Eigen::MatrixXd
     multiply(const ConstBlock &a, const ConstBlock &b);
-  } // namespace Contact
+  } // namespace DenseProducts
 } // namespace Tribody
 
 #endif

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_base_solver_report_h
 #define tribody_base_solver_report_h
 

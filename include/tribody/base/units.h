@@ -1,5 +1,9 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_base_units_h
 #define tribody_base_units_h
+
+#include <deal.II/base/numbers.h>
 
 #include <string>
 #include <vector>
@@ -46,7 +50,7 @@ namespace Tribody
     constexpr double
     degrees(const double radians)
     {
-      return radians * (180. / 3.14159265358979323846);
+      return radians * (180. / dealii::numbers::PI);
     }
   } // namespace Units
 } // namespace Tribody

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_contact_active_compliance_h
 #define tribody_contact_active_compliance_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_contact_compliance_h
 #define tribody_contact_compliance_h
 
@@ -8,10 +10,10 @@
 
 namespace Tribody
 {
+  class HierarchicalCompliance;
+
   namespace Contact
   {
-    class HierarchicalCompliance;
-
     /**
      * How far the nodes of a surface yield to forces along the normals,
      * C [m per N/m], for all contact problems on it. Copies share the matrix,

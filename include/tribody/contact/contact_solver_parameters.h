@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_contact_contact_solver_parameters_h
 #define tribody_contact_contact_solver_parameters_h
 

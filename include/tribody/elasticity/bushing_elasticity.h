@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_elasticity_bushing_elasticity_h
 #define tribody_elasticity_bushing_elasticity_h
 

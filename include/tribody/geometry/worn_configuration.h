@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_geometry_worn_configuration_h
 #define tribody_geometry_worn_configuration_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_output_mechanism_vtu_h
 #define tribody_output_mechanism_vtu_h
 

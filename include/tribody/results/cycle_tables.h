@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_results_cycle_tables_h
 #define tribody_results_cycle_tables_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_run_command_line_h
 #define tribody_run_command_line_h
 

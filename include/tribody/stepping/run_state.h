@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_stepping_run_state_h
 #define tribody_stepping_run_state_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_sundials_ida_integrator_h
 #define tribody_sundials_ida_integrator_h
 
@@ -12,7 +14,7 @@
 
 namespace Tribody
 {
-  namespace Multibody
+  namespace Sundials
   {
     /// A system F(t, y, y') = 0 with functions whose zeros matter.
     struct ImplicitSystem
@@ -120,7 +122,7 @@ namespace Tribody
       struct Memory;
       std::unique_ptr<Memory> memory;
     };
-  } // namespace Multibody
+  } // namespace Sundials
 } // namespace Tribody
 
 #endif

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_sundials_ida_linear_solver_h
 #define tribody_sundials_ida_linear_solver_h
 
@@ -12,7 +14,7 @@
 
 namespace Tribody
 {
-  namespace Multibody
+  namespace Sundials
   {
     /**
      * The direct solver of IDA's linear systems with its matrix: dense (the LU
@@ -51,7 +53,7 @@ namespace Tribody
       SUNMatrix       matrix = nullptr;
       SUNLinearSolver solver = nullptr;
     };
-  } // namespace Multibody
+  } // namespace Sundials
 } // namespace Tribody
 
 #endif

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_sundials_ida_vector_h
 #define tribody_sundials_ida_vector_h
 
@@ -6,7 +8,7 @@
 
 namespace Tribody
 {
-  namespace Multibody
+  namespace Sundials
   {
     /**
      * A serial vector of SUNDIALS that shares the entries of @p x, which must
@@ -25,7 +27,7 @@ namespace Tribody
 
     Eigen::Map<const Eigen::VectorXd>
     const_view(const N_Vector x);
-  } // namespace Multibody
+  } // namespace Sundials
 } // namespace Tribody
 
 #endif

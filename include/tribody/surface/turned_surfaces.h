@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_surface_turned_surfaces_h
 #define tribody_surface_turned_surfaces_h
 

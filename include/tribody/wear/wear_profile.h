@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_wear_wear_profile_h
 #define tribody_wear_wear_profile_h
 

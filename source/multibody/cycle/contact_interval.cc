@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/multibody/cycle/contact_interval.h>
 #include <tribody/multibody/motion/motion_integrator.h>
 

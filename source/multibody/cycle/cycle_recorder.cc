@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
 #include <tribody/multibody/cycle/cycle_recorder.h>
 #include <tribody/multibody/motion/energy_account.h>
 #include <tribody/multibody/motion/motion_integrator.h>
@@ -20,7 +24,8 @@ namespace Tribody
       double
       wrapped(const double angle)
       {
-        return angle - 2 * M_PI * std::floor(angle / (2 * M_PI));
+        return angle - 2 * dealii::numbers::PI *
+                         std::floor(angle / (2 * dealii::numbers::PI));
       }
 
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/multibody/elements/applied_force.h>
 
 namespace Tribody

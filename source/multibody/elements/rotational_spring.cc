@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/multibody/elements/rotational_spring.h>
 
 namespace Tribody

@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/function_parser.h>
+#include <deal.II/base/numbers.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
@@ -119,7 +122,9 @@ namespace Tribody
       std::streambuf *const to_screen = std::cerr.rdbuf(words.rdbuf());
       try
         {
-          made->function.initialize("t", expression, {{"pi", M_PI}});
+          made->function.initialize("t",
+                                    expression,
+                                    {{"pi", dealii::numbers::PI}});
           // The first evaluation builds the parser of this thread.
           made->function.value(dealii::Point<1>());
           std::cerr.rdbuf(to_screen);

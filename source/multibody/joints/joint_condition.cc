@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/multibody/elements/body_pair.h>
 #include <tribody/multibody/joints/joint_condition.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/base/parameters.h>
 #include <tribody/multibody/joints/contact_force_law.h>
 #include <tribody/multibody/joints/friction_law.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <Eigen/LU>
 
 #include <tribody/base/exceptions.h>
@@ -447,10 +449,10 @@ namespace Tribody
 
 
 
-    IntegratorStatistics
+    Sundials::IntegratorStatistics
     IntermittentMotion::statistics() const
     {
-      IntegratorStatistics total;
+      Sundials::IntegratorStatistics total;
       for (const auto &[combination, mode] : modes)
         total += mode.integrator->statistics();
       return total;

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/multibody/motion/energy_account.h>
@@ -22,8 +24,9 @@ namespace Tribody
       , phi(m)
       , forces(n)
     {
-      ida = std::make_unique<IdaIntegrator>(make_system(),
-                                            make_settings(tolerances));
+      ida =
+        std::make_unique<Sundials::IdaIntegrator>(make_system(),
+                                                  make_settings(tolerances));
     }
 
 
@@ -32,39 +35,38 @@ namespace Tribody
 
 
 
-    ImplicitSystem
+    Sundials::ImplicitSystem
     MotionIntegrator::make_system()
     {
-      ImplicitSystem system;
-      system.residual = [this](const double                       t,
-                               const ImplicitSystem::ConstVector &y,
-                               const ImplicitSystem::ConstVector &y_t,
-                               ImplicitSystem::Vector            &residual) {
+      Sundials::ImplicitSystem system;
+      system.residual = [this](const double                                 t,
+                               const Sundials::ImplicitSystem::ConstVector &y,
+                               const Sundials::ImplicitSystem::ConstVector &y_t,
+                               Sundials::ImplicitSystem::Vector &residual) {
         assemble_residual(y, y_t, t, residual);
       };
-      system.jacobian = [this](const double                       t,
-                               const double                       c,
-                               const ImplicitSystem::ConstVector &y,
-                               const ImplicitSystem::ConstVector & /*y_t*/,
-                               MatrixEntries &entries) {
-        assemble_jacobian(y, t, c, entries);
-      };
+      system.jacobian =
+        [this](const double                                 t,
+               const double                                 c,
+               const Sundials::ImplicitSystem::ConstVector &y,
+               const Sundials::ImplicitSystem::ConstVector & /*y_t*/,
+               MatrixEntries &entries) { assemble_jacobian(y, t, c, entries); };
       // Two for each joint, see evaluate_roots().
       system.n_roots = 2 * (equations.mechanism().clearance_joints().size() +
                             equations.mechanism().impact_joints().size());
-      system.roots   = [this](const double                       t,
-                            const ImplicitSystem::ConstVector &y,
+      system.roots   = [this](const double                                 t,
+                            const Sundials::ImplicitSystem::ConstVector &y,
                             double *values) { evaluate_roots(t, y, values); };
       return system;
     }
 
 
 
-    IdaSettings
+    Sundials::IdaSettings
     MotionIntegrator::make_settings(const MotionTolerances &tolerances) const
     {
-      IdaSettings        settings;
-      const unsigned int size = 2 * n + 2 * m + n_states;
+      Sundials::IdaSettings settings;
+      const unsigned int    size = 2 * n + 2 * m + n_states;
       settings.is_differential.resize(size);
       settings.is_differential << Eigen::VectorXd::Ones(2 * n),
         Eigen::VectorXd::Zero(2 * m), Eigen::VectorXd::Ones(n_states);
@@ -83,10 +85,11 @@ namespace Tribody
 
 
     void
-    MotionIntegrator::assemble_residual(const ImplicitSystem::ConstVector &y,
-                                        const ImplicitSystem::ConstVector &y_t,
-                                        const double                       t,
-                                        ImplicitSystem::Vector &residual)
+    MotionIntegrator::assemble_residual(
+      const Sundials::ImplicitSystem::ConstVector &y,
+      const Sundials::ImplicitSystem::ConstVector &y_t,
+      const double                                 t,
+      Sundials::ImplicitSystem::Vector            &residual)
     {
       const auto q = y.head(n);
       const auto v = y.segment(n, n);
@@ -117,10 +120,11 @@ namespace Tribody
 
 
     void
-    MotionIntegrator::assemble_jacobian(const ImplicitSystem::ConstVector &y,
-                                        const double                       t,
-                                        const double                       c,
-                                        MatrixEntries &entries)
+    MotionIntegrator::assemble_jacobian(
+      const Sundials::ImplicitSystem::ConstVector &y,
+      const double                                 t,
+      const double                                 c,
+      MatrixEntries                               &entries)
     {
       const auto             q      = y.head(n);
       const auto             v      = y.segment(n, n);
@@ -153,8 +157,9 @@ namespace Tribody
 
 
     Eigen::VectorXd
-    MotionIntegrator::exact_multipliers(const double                       t,
-                                        const ImplicitSystem::ConstVector &y)
+    MotionIntegrator::exact_multipliers(
+      const double                                 t,
+      const Sundials::ImplicitSystem::ConstVector &y)
     {
       const Eigen::VectorXd q = y.head(n), v = y.segment(n, n);
       equations.assemble_forces(
@@ -167,9 +172,10 @@ namespace Tribody
 
 
     void
-    MotionIntegrator::evaluate_roots(const double                       t,
-                                     const ImplicitSystem::ConstVector &y,
-                                     double                            *values)
+    MotionIntegrator::evaluate_roots(
+      const double                                 t,
+      const Sundials::ImplicitSystem::ConstVector &y,
+      double                                      *values)
     {
       const Mechanism   &mechanism  = equations.mechanism();
       const unsigned int n_contacts = mechanism.clearance_joints().size();
@@ -488,7 +494,7 @@ namespace Tribody
 
 
 
-    IntegratorStatistics
+    Sundials::IntegratorStatistics
     MotionIntegrator::statistics() const
     {
       return ida->statistics();

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -292,13 +296,13 @@ namespace Tribody
       if (scales.empty())
         {
           // A part of the mechanism's size, at the pace of a cycle.
-          double cycle = 2 * M_PI;
+          double cycle = 2 * dealii::numbers::PI;
           if (parameters.cycle_duration > 0)
             cycle = parameters.cycle_duration;
           else if (mechanism.has_turning_driver())
             cycle = mechanism.period();
           shortest = 1e-4 * mechanism.size();
-          slowest  = shortest * 2 * M_PI / cycle;
+          slowest  = shortest * 2 * dealii::numbers::PI / cycle;
         }
 
       MotionTolerances tolerances;

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <deal.II/base/exceptions.h>
 
 #include <tribody/multibody/system/equations_of_motion.h>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -23,7 +27,7 @@ namespace Tribody
       std::string
       degrees(const double angle)
       {
-        return significant_digits(angle * 180 / M_PI) + " deg";
+        return significant_digits(angle * 180 / dealii::numbers::PI) + " deg";
       }
 
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
 #include <tribody/multibody/elements/angle_driver.h>
@@ -69,7 +73,7 @@ namespace Tribody
       AssertThrow(driver.speed != 0,
                   ExcParameter("Driver " + driver.name + "/Speed",
                                "is zero" + hint));
-      return 2 * M_PI / std::abs(driver.speed);
+      return 2 * dealii::numbers::PI / std::abs(driver.speed);
     }
 
 

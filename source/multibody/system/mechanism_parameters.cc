@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #include <tribody/base/exceptions.h>
 #include <tribody/multibody/system/mechanism_parameters.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_multibody_cycle_duty_cycle_h
 #define tribody_multibody_cycle_duty_cycle_h
 
@@ -185,8 +187,8 @@ namespace Tribody
       /// motion [m, rad].
       double constraint_drift = 0.;
       /// The whole run, and the recorded cycle alone.
-      IntegratorStatistics statistics;
-      unsigned long        n_steps_in_cycle = 0;
+      Sundials::IntegratorStatistics statistics;
+      unsigned long                  n_steps_in_cycle = 0;
 
       /// Make a record of @p n cycles one of an average cycle: every sample
       /// gets an n-th of its sliding, and the scatter is computed.

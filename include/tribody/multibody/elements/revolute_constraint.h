@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_multibody_elements_revolute_constraint_h
 #define tribody_multibody_elements_revolute_constraint_h
 

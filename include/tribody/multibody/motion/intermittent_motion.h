@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_multibody_motion_intermittent_motion_h
 #define tribody_multibody_motion_intermittent_motion_h
 
@@ -84,7 +86,7 @@ namespace Tribody
       double
       constraint_drift() const;
 
-      IntegratorStatistics
+      Sundials::IntegratorStatistics
       statistics() const;
 
     private:

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_multibody_motion_motion_integrator_h
 #define tribody_multibody_motion_motion_integrator_h
 
@@ -146,38 +148,39 @@ namespace Tribody
         return the_drift;
       }
 
-      IntegratorStatistics
+      Sundials::IntegratorStatistics
       statistics() const;
 
     private:
-      ImplicitSystem
+      Sundials::ImplicitSystem
       make_system();
 
-      IdaSettings
+      Sundials::IdaSettings
       make_settings(const MotionTolerances &tolerances) const;
 
       void
-      assemble_residual(const ImplicitSystem::ConstVector &y,
-                        const ImplicitSystem::ConstVector &y_t,
-                        const double                       t,
-                        ImplicitSystem::Vector            &residual);
+      assemble_residual(const Sundials::ImplicitSystem::ConstVector &y,
+                        const Sundials::ImplicitSystem::ConstVector &y_t,
+                        const double                                 t,
+                        Sundials::ImplicitSystem::Vector            &residual);
 
       void
-      assemble_jacobian(const ImplicitSystem::ConstVector &y,
-                        const double                       t,
-                        const double                       c,
-                        MatrixEntries                     &entries);
+      assemble_jacobian(const Sundials::ImplicitSystem::ConstVector &y,
+                        const double                                 t,
+                        const double                                 c,
+                        MatrixEntries                               &entries);
 
       // Penetrations of contacts and flying pins, forces of following ones;
       // then, as many again, rates of the penetration of flying pins.
       void
-      evaluate_roots(const double                       t,
-                     const ImplicitSystem::ConstVector &y,
-                     double                            *values);
+      evaluate_roots(const double                                 t,
+                     const Sundials::ImplicitSystem::ConstVector &y,
+                     double                                      *values);
 
       // Reactions that belong exactly to positions and velocities.
       Eigen::VectorXd
-      exact_multipliers(const double t, const ImplicitSystem::ConstVector &y);
+      exact_multipliers(const double                                 t,
+                        const Sundials::ImplicitSystem::ConstVector &y);
 
       // Start IDA at `current`, with accelerations from the exact equations.
       void
@@ -213,10 +216,10 @@ namespace Tribody
       const unsigned int       m;
       const unsigned int       n_states;
 
-      std::unique_ptr<IdaIntegrator> ida;
-      MechanismState                 current;
-      bool                           restart_is_pending = false;
-      EnergyAccount                 *energy_account     = nullptr;
+      std::unique_ptr<Sundials::IdaIntegrator> ida;
+      MechanismState                           current;
+      bool                                     restart_is_pending = false;
+      EnergyAccount                           *energy_account     = nullptr;
 
       std::vector<unsigned int> the_stops;
       bool                      stop_is_pending = false;

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
 #ifndef tribody_multibody_system_equations_of_motion_h
 #define tribody_multibody_system_equations_of_motion_h
 
@@ -11,9 +13,10 @@
 
 namespace Tribody
 {
+  class MatrixEntries;
+
   namespace Multibody
   {
-    class MatrixEntries;
     class Mechanism;
     struct MechanismState;
 
