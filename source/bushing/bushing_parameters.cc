@@ -135,35 +135,16 @@ namespace Tribody
                                "m",
                                "s_0: sliding distance over which running-in "
                                "fades; 0: no running-in.");
-      Parameters::add_quantity(prm,
-                               "Stop at maximum depth",
-                               limits.max_depth,
-                               "m",
-                               "The run ends when the wear of bushing or pin "
-                               "is this deep somewhere; 0: never.",
-                               "mm");
-      Parameters::add_quantity(prm,
-                               "Stop at clearance",
-                               limits.clearance,
-                               "m",
-                               "The run ends when the clearance between pin "
-                               "and bore has this value somewhere, both worn "
-                               "and where both are deepest; 0: never.",
-                               "mm");
-      Parameters::add_quantity(prm,
-                               "Stop at worn volume",
-                               limits.volume,
-                               "m^3",
-                               "The run ends when this volume is worn away "
-                               "from bushing and pin together; 0: never.",
-                               "mm^3");
-      Parameters::add_quantity(prm,
-                               "Stop at worn mass",
-                               limits.mass,
-                               "kg",
-                               "The run ends when this mass is worn away from "
-                               "bushing and pin together; 0: never.",
-                               "g");
+      for (std::size_t i = 0; i < limits.size(); ++i)
+        {
+          const JointLimit &limit = joint_limits()[i];
+          Parameters::add_quantity(prm,
+                                   limit.parameter(),
+                                   limits[i],
+                                   limit.si_unit,
+                                   limit.documentation,
+                                   limit.shown_unit);
+        }
       Parameters::add_text(prm,
                            "Comparison source",
                            comparison.source,
@@ -236,19 +217,37 @@ namespace Tribody
       // They name the parameter if it cannot be understood.
       wear_law();
       pin_wear_law();
-      for (const auto &[limit, name_of_limit] :
-           {std::make_pair(limits.max_depth, "Stop at maximum depth"),
-            std::make_pair(limits.clearance, "Stop at clearance"),
-            std::make_pair(limits.volume, "Stop at worn volume"),
-            std::make_pair(limits.mass, "Stop at worn mass")})
-        AssertThrow(limit >= 0.,
-                    ExcParameter(path + name_of_limit,
-                                 "must not be negative; 0 means no limit"));
+      check_limits(joint);
       rim_support.check("Bushing " + name);
       check_housing(joint);
       mesh.check(path + "Mesh");
       check_mesh(joint);
       contact_solver.check(path + "Contact solver");
+    }
+
+
+
+    void
+    BushingParameters::check_limits(
+      const Multibody::JointParameters &joint) const
+    {
+      for (std::size_t i = 0; i < limits.size(); ++i)
+        {
+          const JointLimit &limit  = joint_limits()[i];
+          const double      unworn = limit.unworn_value(joint);
+          AssertThrow(limits[i] >= 0.,
+                      ExcParameter("Bushing " + name + "/" + limit.parameter(),
+                                   "must not be negative; 0 means no limit"));
+          AssertThrow(
+            limits[i] == 0. || limits[i] > unworn,
+            ExcParameter(
+              "Bushing " + name + "/" + limit.parameter(),
+              Units::to_string(limits[i], limit.si_unit, limit.shown_unit) +
+                " is passed before any wear: the " + limit.quantity +
+                " of the new joint is " +
+                Units::to_string(unworn, limit.si_unit, limit.shown_unit) +
+                ". Set a larger limit, or 0 for none"));
+        }
     }
 
 

@@ -117,14 +117,38 @@ namespace Tribody
 
 
     void
-    ElasticJoint::update(const Wear::WearProfile &profile)
+    ElasticJoint::take_shape(const Wear::WearProfile &profile)
     {
       geometry.update(profile.depth);
       depth   = profile.depth;
       surface = profile.surface();
+    }
+
+
+
+    void
+    ElasticJoint::update(const Wear::WearProfile &profile)
+    {
+      take_shape(profile);
       if ((depth - depth_at_compliance).lpNorm<Eigen::Infinity>() >
           allowed_change)
         update_compliance();
+    }
+
+
+
+    void
+    ElasticJoint::restore(const Wear::WearProfile &profile,
+                          const Eigen::VectorXd   &compliance_depth)
+    {
+      if (compliance_depth != depth_at_compliance)
+        {
+          Wear::WearProfile before = profile;
+          before.depth             = compliance_depth;
+          take_shape(before);
+          update_compliance();
+        }
+      take_shape(profile);
     }
 
 
@@ -143,7 +167,6 @@ namespace Tribody
         }
       joint_compliance    = std::move(C);
       depth_at_compliance = depth;
-      ++n_builds;
     }
 
 

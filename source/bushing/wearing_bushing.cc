@@ -117,8 +117,7 @@ namespace Tribody
                                     const Nodes                      nodes,
                                     const double sliding_distance) const
     {
-      Wear::WearProfile worn = wear_profile;
-      worn.depth             = surfaces().front().part_of(depth);
+      const Wear::WearProfile worn = profile_for_depth(depth);
 
       CycleContact contact;
       contact.surface         = worn.surface();
@@ -357,12 +356,34 @@ namespace Tribody
 
 
 
-    void
-    WearingBushing::set_depth(const Eigen::VectorXd &depth)
+    Wear::WearProfile
+    WearingBushing::profile_for_depth(const Eigen::VectorXd &depth) const
     {
       Wear::WearProfile worn = wear_profile;
       worn.depth             = surfaces().front().part_of(depth);
+      return worn;
+    }
+
+
+
+    void
+    WearingBushing::set_depth(const Eigen::VectorXd &depth)
+    {
+      const Wear::WearProfile worn = profile_for_depth(depth);
       elastic.update(worn);
+      wear_profile = worn;
+      if (pin)
+        pin->set_depth(surfaces().back().part_of(depth), elastic.bore());
+    }
+
+
+
+    void
+    WearingBushing::restore(const Eigen::VectorXd &depth,
+                            const Eigen::VectorXd &depth_at_compliance)
+    {
+      const Wear::WearProfile worn = profile_for_depth(depth);
+      elastic.restore(worn, depth_at_compliance);
       wear_profile = worn;
       if (pin)
         pin->set_depth(surfaces().back().part_of(depth), elastic.bore());

@@ -11,9 +11,9 @@ namespace Tribody
   namespace Coupling
   {
     std::unique_ptr<CycleJump>
-    make_jump(const WearParameters      &parameters,
-              std::list<WearingBushing> &bushings,
-              const StopConditions      &stop_conditions)
+    make_jump(const WearParameters             &parameters,
+              const std::deque<WearingBushing> &bushings,
+              const StopConditions             &stop_conditions)
     {
       if (parameters.extrapolation == "constant")
         return std::make_unique<ConstantJump>(bushings,

@@ -3,6 +3,7 @@
 #ifndef tribody_bushing_bushing_parameters_h
 #define tribody_bushing_bushing_parameters_h
 
+#include <tribody/bushing/joint_limits.h>
 #include <tribody/contact/contact_solver_parameters.h>
 #include <tribody/elasticity/mesh_file.h>
 #include <tribody/elasticity/rim_shape.h>
@@ -11,6 +12,7 @@
 #include <tribody/wear/wear_law.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -26,19 +28,6 @@ namespace Tribody
 
   namespace Coupling
   {
-    /// When the life of a joint is over; zero: no limit.
-    struct BushingLimits
-    {
-      /// Maximum wear depth of bushing or pin [m].
-      double max_depth = 0.;
-      /// Largest clearance between worn pin and worn bore [m].
-      double clearance = 0.;
-      /// Worn volume of bushing and pin together [m^3].
-      double volume = 0.;
-      /// Worn mass of both [kg].
-      double mass = 0.;
-    };
-
     /// A published or measured value that a result is shown beside.
     struct Comparison
     {
@@ -92,9 +81,11 @@ namespace Tribody
       std::string pin_wear_coefficient_factor = "1";
       /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-] and s_0 [m];
       /// 0: none.
-      double        running_in_factor   = 1.;
-      double        running_in_distance = 0.;
-      BushingLimits limits;
+      double running_in_factor   = 1.;
+      double running_in_distance = 0.;
+      /// At which the run ends, one per entry of joint_limits(), in SI units;
+      /// 0: none.
+      std::vector<double> limits = std::vector<double>(joint_limits().size());
       /// Values that the results are shown beside.
       Comparison comparison;
 
@@ -132,6 +123,10 @@ namespace Tribody
       pin_is_elastic(const Multibody::JointParameters &joint) const;
 
     private:
+      /// Not negative, and not passed by the new joint.
+      void
+      check_limits(const Multibody::JointParameters &joint) const;
+
       /// A ring in a housing is not everything at once.
       void
       check_housing(const Multibody::JointParameters &joint) const;

@@ -59,6 +59,20 @@ namespace Tribody
       void
       update(const Wear::WearProfile &profile);
 
+      /// Take the shape of @p profile with the compliance for the depth
+      /// @p compliance_depth [m], as a run had them that has come to this
+      /// shape.
+      void
+      restore(const Wear::WearProfile &profile,
+              const Eigen::VectorXd   &compliance_depth);
+
+      /// The depth that the compliance belongs to [m].
+      const Eigen::VectorXd &
+      compliance_depth() const
+      {
+        return depth_at_compliance;
+      }
+
       const BoreNodes &
       bore_nodes() const
       {
@@ -107,12 +121,6 @@ namespace Tribody
         return geometry.removed_area();
       }
 
-      unsigned int
-      n_compliance_builds() const
-      {
-        return n_builds;
-      }
-
       /// Write displacement and stresses under @p contact, and the wear, to a
       /// VTU file: the first rank does, or all together if they share the mesh.
       void
@@ -120,6 +128,9 @@ namespace Tribody
                 const Contact::ContactSolution &contact) const;
 
     private:
+      void
+      take_shape(const Wear::WearProfile &profile);
+
       void
       setup_pin(const BushingParameters          &parameters,
                 const Multibody::JointParameters &joint);
@@ -153,7 +164,6 @@ namespace Tribody
       /// Of bore and pin, at the nodes that can be touched.
       Contact::Compliance joint_compliance;
       Eigen::VectorXd     depth_at_compliance;
-      unsigned int        n_builds = 0;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -65,6 +65,13 @@ namespace Tribody
 
       IntegratorStatistics &
       operator+=(const IntegratorStatistics &other);
+
+      /// Starts after the first.
+      unsigned long
+      n_restarts() const
+      {
+        return n_starts > 0 ? n_starts - 1 : 0;
+      }
     };
 
     /**

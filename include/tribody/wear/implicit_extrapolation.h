@@ -38,6 +38,16 @@ namespace Tribody
       unsigned int                                             n_events = 0;
     };
 
+    /// What an integration of the wear keeps from step to step.
+    struct ExtrapolationMemory
+    {
+      /// Length of the next step [cycles]; 0: none has been taken.
+      double proposal = 0.;
+      /// Slope of the line that guesses are on, one value per entry of y;
+      /// empty at first.
+      Eigen::VectorXd slope;
+    };
+
     /**
      * Implicit cycle jumps: an L-stable, stiffly accurate diagonally implicit
      * Runge-Kutta method of ARKODE with its own step control integrates
@@ -104,6 +114,15 @@ namespace Tribody
       /// The rate at the end of the last step as its last stage has it.
       const Eigen::VectorXd &
       end_rate() const;
+
+      /// What start() and step() go on from, beside their arguments.
+      const ExtrapolationMemory &
+      lasting_memory() const;
+
+      /// Go on as the integrator that @p lasting is from.
+      /// @pre start() follows.
+      void
+      restore(const ExtrapolationMemory &lasting);
 
     private:
       struct Memory;

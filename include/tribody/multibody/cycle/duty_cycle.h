@@ -108,6 +108,10 @@ namespace Tribody
       Eigen::Index
       peak_sample() const;
 
+      /// Largest approach speed of the contacts in this cycle [m/s].
+      double
+      max_approach_speed() const;
+
       /// Part of the cycle's time in @p wanted [-].
       double
       share_of(const ContactState wanted) const;
@@ -198,6 +202,11 @@ namespace Tribody
       /// @throws ExcMessage if there is no joint @p name.
       const JointDutyCycle &
       joint(const std::string &name) const;
+
+      /// Place of joint @p j among those with a contact law, as in
+      /// EnergyRecord::normal_loss.
+      Eigen::Index
+      contact_law_number(const std::size_t j) const;
     };
   } // namespace Multibody
 } // namespace Tribody
