@@ -26,6 +26,7 @@ namespace Tribody
     view(const N_Vector x);
 
     Eigen::Map<const Eigen::VectorXd>
+    /// The same, to be read.
     const_view(const N_Vector x);
   } // namespace Sundials
 } // namespace Tribody
