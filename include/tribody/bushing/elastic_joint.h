@@ -59,6 +59,7 @@ namespace Tribody
       void
       update(const Wear::WearProfile &profile);
 
+      /// As manufactured.
       const BoreNodes &
       bore_nodes() const
       {
@@ -94,6 +95,7 @@ namespace Tribody
         return ring_housing;
       }
 
+      /// Whether the compliance has a share of the pin.
       bool
       has_elastic_pin() const
       {
@@ -107,6 +109,7 @@ namespace Tribody
         return geometry.removed_area();
       }
 
+      /// How often the compliance has been computed, the unworn one included.
       unsigned int
       n_compliance_builds() const
       {
