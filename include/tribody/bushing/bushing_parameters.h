@@ -50,7 +50,8 @@ namespace Tribody
       /// Length along the axis of the joint [m].
       double axial_length = 10e-3;
       /// Radius of the rim, or its semi-axis along x [m].
-      double               outer_radius = 16e-3;
+      double outer_radius = 16e-3;
+      /// Circle or ellipse, and where its centre is.
       Elasticity::RimShape rim_shape;
       /// What holds it there.
       Elasticity::RimSupport rim_support;
@@ -72,13 +73,16 @@ namespace Tribody
       double pin_hole_radius = 0.;
       /// When the contact problem counts as solved.
       Contact::ContactSolverParameters contact_solver;
-      /// Archard's k of the bushing and of the pin [Pa^-1].
-      double wear_coefficient     = 0.;
+      /// Archard's k of the bushing [Pa^-1].
+      double wear_coefficient = 0.;
+      /// Archard's k of the pin [Pa^-1]; 0: it does not wear.
       double pin_wear_coefficient = 0.;
-      /// What multiplies them: expressions of p, v and s, see
+      /// What multiplies that of the bushing: an expression of p, v and s, see
       /// Wear::FactorExpression.
-      std::string wear_coefficient_factor     = "1";
+      std::string wear_coefficient_factor = "1";
+      /// The same for that of the pin.
       std::string pin_wear_coefficient_factor = "1";
+<<<<<<< HEAD
       /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-] and s_0 [m];
       /// 0: none.
       double running_in_factor   = 1.;
@@ -86,6 +90,14 @@ namespace Tribody
       /// At which the run ends, one per entry of joint_limits(), in SI units;
       /// 0: none.
       std::vector<double> limits = std::vector<double>(joint_limits().size());
+=======
+      /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-].
+      double running_in_factor = 1.;
+      /// s_0 of both surfaces [m]; 0: no running-in.
+      double running_in_distance = 0.;
+      /// What ends the run.
+      BushingLimits limits;
+>>>>>>> h-doc
       /// Values that the results are shown beside.
       Comparison comparison;
 
@@ -110,10 +122,12 @@ namespace Tribody
       bool
       cells_are_alike() const;
 
-      /// The laws by which bushing and pin wear.
+      /// The law by which the bushing wears.
       Wear::WearLaw
       wear_law() const;
 
+      /// The law by which the pin wears; without a coefficient it takes
+      /// nothing.
       Wear::WearLaw
       pin_wear_law() const;
 

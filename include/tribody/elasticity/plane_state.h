@@ -35,6 +35,7 @@ namespace Tribody
       /// @f$\sigma_{zz} / (\sigma_{xx} + \sigma_{yy})@f$ [-].
       double axial_ratio;
 
+      /// Of a @p material in the given @p state; its density does not matter.
       PlaneHooke(const Material &material, const PlaneState state)
       {
         const double E  = material.youngs_modulus;

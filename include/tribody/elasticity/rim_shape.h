@@ -46,6 +46,8 @@ namespace Tribody
             const double       inner_radius,
             const double       outer_radius) const;
 
+      /// Whether bore and rim are circles about one centre, so that all cells
+      /// are alike.
       bool
       is_concentric_circle() const
       {

@@ -56,12 +56,14 @@ namespace Tribody
       void
       check(const std::string &path) const;
 
+      /// Whether the rim does not move at all.
       bool
       is_clamped() const
       {
         return kind == "clamped";
       }
 
+      /// Whether the ring is free and its rim has contacts of its own.
       bool
       is_housing() const
       {

@@ -23,8 +23,11 @@ namespace Tribody
     /// Clearance with its derivatives with respect to the angle.
     struct Values
     {
+      /// c [m].
       double clearance;
+      /// dc/d(angle) [m/rad].
       double first_derivative;
+      /// Its second derivative [m/rad^2].
       double second_derivative;
     };
 
@@ -44,6 +47,7 @@ namespace Tribody
     double
     clearance(const double angle) const;
 
+    /// Clearance and derivatives at the @p angle [rad], any real number.
     Values
     evaluate(const double angle) const;
 

@@ -44,6 +44,7 @@ namespace Tribody
       /// s_0 [m], positive.
       double distance = 1.;
 
+      /// f at the distance slid before; the @p pressure does not matter.
       FactorValue
       evaluate(const double pressure, const Sliding &sliding) const;
     };

@@ -33,9 +33,10 @@ namespace Tribody
                                        const Eigen::VectorXd &guess)>
         solve_stage;
       /// Functions of y of the size of one, negative at first; the first to
-      /// become zero ends the integration. And their number.
+      /// become zero ends the integration.
       std::function<Eigen::VectorXd(const Eigen::VectorXd &y)> events;
-      unsigned int                                             n_events = 0;
+      /// How many values events() returns.
+      unsigned int n_events = 0;
     };
 
     /// What an integration of the wear keeps from step to step.
@@ -101,9 +102,11 @@ namespace Tribody
       bool
       step(const double end);
 
+      /// N that has been reached [cycles]; state() belongs to it.
       double
       cycles() const;
 
+      /// y at cycles().
       const Eigen::VectorXd &
       state() const;
 
