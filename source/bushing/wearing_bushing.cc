@@ -111,11 +111,10 @@ namespace Tribody
 
 
     CycleContact
-    WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
-                                    const Multibody::JointDutyCycle &cycle,
-                                    const CycleContact              *similar,
-                                    const Nodes                      nodes,
-                                    const double sliding_distance) const
+    WearingBushing::face_surfaces(const Eigen::VectorXd           &depth,
+                                  const Multibody::JointDutyCycle &cycle,
+                                  const CycleContact              *similar,
+                                  const double sliding_distance) const
     {
       const Wear::WearProfile worn = profile_for_depth(depth);
 
@@ -126,17 +125,38 @@ namespace Tribody
         worn.area_derivative(contact.surface);
       contact.removed_area  = Eigen::VectorXd::Zero(depth.size());
       contact.peak_pressure = Eigen::VectorXd::Zero(worn.depth.size());
-      Eigen::VectorXd pin_depth;
       if (pin)
         {
           contact.facings =
             pin->face(cycle, similar == nullptr ? nullptr : &similar->facings);
-          pin_depth                  = surfaces().back().part_of(depth);
           Wear::WearProfile worn_pin = pin->profile();
-          worn_pin.depth             = pin_depth;
-          contact.area_derivative.tail(pin_depth.size()) =
+          worn_pin.depth             = surfaces().back().part_of(depth);
+          contact.area_derivative.tail(worn_pin.depth.size()) =
             worn_pin.area_derivative(worn_pin.surface());
         }
+      contact.samples.resize(cycle.normal_force.size());
+      for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
+        contact.slidings.push_back(
+          {cycle.sliding_increment[j],
+           cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
+           sliding_distance});
+      return contact;
+    }
+
+
+
+    CycleContact
+    WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
+                                    const Multibody::JointDutyCycle &cycle,
+                                    const CycleContact              *similar,
+                                    const Nodes                      nodes,
+                                    const double sliding_distance) const
+    {
+      CycleContact contact =
+        face_surfaces(depth, cycle, similar, sliding_distance);
+      Eigen::VectorXd pin_depth;
+      if (pin)
+        pin_depth = surfaces().back().part_of(depth);
 
       Contact::ContactSolver solver(contact.surface,
                                     elastic.compliance(),
@@ -154,12 +174,6 @@ namespace Tribody
         similar != nullptr &&
         static_cast<Eigen::Index>(similar->samples.size()) == n_samples;
       const Ranks::Range own = Ranks::share(n_samples, communicator);
-      contact.samples.resize(n_samples);
-      for (Eigen::Index j = 0; j < n_samples; ++j)
-        contact.slidings.push_back(
-          {cycle.sliding_increment[j],
-           cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
-           sliding_distance});
       Ranks::run_together(communicator, [&]() {
         for (Eigen::Index j = own.begin; j < own.end; ++j)
           {

@@ -312,6 +312,14 @@ namespace Tribody
         held
       };
 
+      /// The surfaces worn by @p depth over a cycle, before anything presses on
+      /// them.
+      CycleContact
+      face_surfaces(const Eigen::VectorXd           &depth,
+                    const Multibody::JointDutyCycle &cycle,
+                    const CycleContact              *similar,
+                    const double                     sliding_distance) const;
+
       CycleContact
       compute_contact(const Eigen::VectorXd           &depth,
                       const Multibody::JointDutyCycle &cycle,
