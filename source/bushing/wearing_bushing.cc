@@ -373,7 +373,7 @@ namespace Tribody
     ClearanceProfile
     WearingBushing::clearance_profile() const
     {
-      const double unworn = joint.bushing_radius - joint.pin_radius;
+      const double unworn = joint.clearance();
       return ClearanceProfile(node_angles(),
                               (wear_profile.depth.array() + unworn).matrix());
     }
@@ -385,11 +385,9 @@ namespace Tribody
     {
       JointClearance surfaces{clearance_profile(), pin_wear_profile()};
       if (const double gap = parameters.rim_support.housing_gap; gap > 0.)
-        surfaces.bushing =
-          ClearanceProfile(node_angles(),
-                           (wear_profile.depth.array() +
-                            (joint.bushing_radius - joint.pin_radius + gap))
-                             .matrix());
+        surfaces.bushing = ClearanceProfile(
+          node_angles(),
+          (wear_profile.depth.array() + (joint.clearance() + gap)).matrix());
       return surfaces;
     }
 
@@ -418,7 +416,7 @@ namespace Tribody
     double
     WearingBushing::largest_clearance(const Eigen::VectorXd &depth) const
     {
-      double clearance = joint.bushing_radius - joint.pin_radius;
+      double clearance = joint.clearance();
       for (const WearingSurface &surface : surfaces())
         clearance += surface.part_of(depth).maxCoeff();
       return clearance;

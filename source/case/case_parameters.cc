@@ -266,7 +266,7 @@ namespace Tribody
       resolve_materials(CaseParameters &parameters)
       {
         for (Multibody::JointParameters &joint : parameters.mechanism.joints)
-          if (joint.has_clearance())
+          if (joint.has_contact_law())
             {
               const std::string path = "Joint " + joint.name + "/";
               joint.pin_material     = find_material(parameters.materials,
@@ -294,15 +294,16 @@ namespace Tribody
                                  return bushing.name == joint.name;
                                });
           };
-        const bool is_coupled = parameters.wear.scheme == "coupled";
+        const bool is_coupled = parameters.wear.scheme == WearScheme::coupled;
         AssertThrow(!is_coupled || !bushings.empty(),
                     ExcParameter("Wear/Scheme",
                                  "'coupled' is about the joints that are "
                                  "listed in 'Bushings', but there are none"));
         for (Multibody::JointParameters &joint : parameters.mechanism.joints)
           {
-            if (is_coupled && joint.has_clearance() && has_bushing(joint))
-              joint.contact_force_law = "finite element";
+            if (is_coupled && joint.has_contact_law() && has_bushing(joint))
+              joint.contact_force_law = Multibody::ContactForceLawChoice::of<
+                Multibody::FiniteElementLaw>();
             AssertThrow(
               !joint.needs_support() || has_bushing(joint),
               ExcParameter("Joint " + joint.name + "/Contact force law",
@@ -336,9 +337,9 @@ namespace Tribody
                                        "' is not the name of a revolute "
                                        "joint"));
             AssertThrow(
-              parameters.cycles == 0 || joint->has_clearance(),
+              parameters.cycles == 0 || joint->has_contact_law(),
               ExcParameter("Joint " + joint->name + "/Model",
-                           "'" + joint->model +
+                           "'" + name_of(joint->model) +
                              "' knows no contact pressure, so the bushing "
                              "cannot wear; write 'clearance', or "
                              "'set Cycles = 0' for the dynamics "
@@ -406,7 +407,7 @@ namespace Tribody
 
         // A kinematic analysis does not use masses.
         for (const auto &body : parameters.mechanism.bodies)
-          if (parameters.dynamics.analysis == "kinematic")
+          if (parameters.dynamics.analysis == Multibody::Analysis::kinematic)
             require("Body " + body.name, {"Markers"});
           else
             require("Body " + body.name,
@@ -420,7 +421,7 @@ namespace Tribody
               require(subsection, {"First marker", "Second marker"});
             if (joint.has_gap())
               require(subsection, {"Pin radius", "Bushing radius"});
-            if (joint.has_clearance())
+            if (joint.has_contact_law())
               require(subsection, {"Pin material", "Bushing material"});
           }
         for (const auto &spring : parameters.mechanism.springs)

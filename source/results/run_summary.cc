@@ -74,7 +74,7 @@ namespace Tribody
         summary.worn_volume    = bushing.worn_volume();
         summary.worn_mass =
           summary.worn_volume * joint.bushing_material.density;
-        summary.pressure_model     = parameters.pressure_model;
+        summary.pressure_model     = name_of(parameters.pressure_model);
         summary.max_pressure       = contact.max_pressure;
         summary.contact_half_angle = contact.at_peak_force().half_angle;
         summary.mesh_oscillation   = Wear::mesh_oscillation(
@@ -83,7 +83,7 @@ namespace Tribody
           volume_balance(summary.worn_volume, totals.surfaces[0]);
         summary.comparison = parameters.comparison;
 
-        const double unworn = joint.bushing_radius - joint.pin_radius;
+        const double unworn = joint.clearance();
         if (bushing.wearing_pin() == nullptr &&
             bushing.surfaces().front().law.is_constant() &&
             crescent_applies(cycle, profile, unworn))
@@ -204,7 +204,7 @@ namespace Tribody
         using Multibody::ContactState;
         JointSummary joint;
         joint.name                   = cycle.name;
-        joint.has_clearance          = cycle.has_clearance;
+        joint.has_clearance          = cycle.has_gap;
         joint.has_contact_law        = cycle.has_contact_law;
         joint.peak_force             = cycle.peak_force();
         joint.peak_phase             = phase[cycle.peak_sample()];
@@ -489,15 +489,15 @@ namespace Tribody
               joint.friction_loss = energy.friction_loss[n_contact_laws];
             }
           n_contact_laws += cycle.has_contact_law;
-          if (cycle.has_clearance)
+          if (cycle.has_gap)
             joint.sliding_per_cycle = cycle.sliding_distance();
-          if (cycle.has_clearance)
+          if (cycle.has_gap)
             {
               const Multibody::JointParameters &of_joint =
                 parameters.joint(cycle.name);
               joint.mean_normal_force = cycle.mean_normal_force();
-              joint.clearance = of_joint.bushing_radius - of_joint.pin_radius;
-              joint.contact_losses = state.contact_losses[j];
+              joint.clearance         = of_joint.clearance();
+              joint.contact_losses    = state.contact_losses[j];
             }
 
           std::size_t b = 0;

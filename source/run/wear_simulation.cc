@@ -33,8 +33,10 @@ namespace Tribody
       make_dynamics_parameters(const CaseParameters &parameters)
       {
         Multibody::DynamicsParameters dynamics = parameters.dynamics;
-        if (dynamics.energy_balance == "without wear")
-          dynamics.energy_balance = parameters.cycles == 0 ? "always" : "never";
+        if (dynamics.energy_balance == Multibody::EnergyBalance::without_wear)
+          dynamics.energy_balance = parameters.cycles == 0
+                                      ? Multibody::EnergyBalance::always
+                                      : Multibody::EnergyBalance::never;
         return dynamics;
       }
 
@@ -51,11 +53,10 @@ namespace Tribody
             const Multibody::JointParameters &joint =
               parameters.joint(bushing.name);
             const double gap = bushing.rim_support.housing_gap;
-            if (gap > 0. && joint.has_clearance())
+            if (gap > 0. && joint.has_contact_law())
               clearances.emplace(bushing.name,
                                  JointClearance{ClearanceProfile(
-                                                  joint.bushing_radius -
-                                                  joint.pin_radius + gap),
+                                                  joint.clearance() + gap),
                                                 ClearanceProfile(0.)});
           }
         return clearances;
@@ -148,7 +149,7 @@ namespace Tribody
         out << "Bushing " << bushing.name() << ": "
             << bushing.node_angles().size() << " bore nodes, clearance "
             << 1e3 * bushing.clearance_profile().mean() << " mm, "
-            << bushing.bushing_parameters().pressure_model
+            << name_of(bushing.bushing_parameters().pressure_model)
             << " pressure model, "
             << (bushing.has_elastic_pin() ? "elastic" : "rigid")
             << " pin (modulus "
@@ -306,7 +307,8 @@ namespace Tribody
     void
     WearSimulation::start_coarse_run()
     {
-      if (parameters.wear.mesh_error_estimate == "none" || bushings.empty())
+      if (parameters.wear.mesh_error_estimate == MeshErrorEstimate::none ||
+          bushings.empty())
         return;
       on_coarse_meshes([this]() {
         coarse_run = std::make_unique<CoarseRun>(parameters.wear, bushings);

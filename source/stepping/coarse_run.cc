@@ -54,7 +54,8 @@ namespace Tribody
 
     CoarseRun::CoarseRun(const WearParameters            &parameters,
                          const std::list<WearingBushing> &bushings)
-      : follows_whole_run(parameters.mesh_error_estimate == "whole run")
+      : follows_whole_run(parameters.mesh_error_estimate ==
+                          MeshErrorEstimate::whole_run)
       , coarse(make_coarse_bushings(parameters, bushings))
       , no_conditions(coarse)
       , jump(coarse.empty() ? nullptr

@@ -120,7 +120,7 @@ wear_out(std::list<WearingBushing> &bushings)
   state.contacts   = {solve(bushings.front())};
   state.totals.resize(1);
   WearParameters wear;
-  wear.mesh_error_estimate = "whole run";
+  wear.mesh_error_estimate = MeshErrorEstimate::whole_run;
   CoarseRun coarse(wear, bushings);
   coarse.start(state, bushings);
   const StopConditions no_conditions(bushings);

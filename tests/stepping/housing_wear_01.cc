@@ -32,7 +32,7 @@ namespace
     bushing.name                    = "pin";
     bushing.axial_length            = 8.6e-3;
     bushing.outer_radius            = 15.875e-3;
-    bushing.rim_support.kind        = "housing";
+    bushing.rim_support.kind        = Elasticity::RimSupport::Kind::housing;
     bushing.rim_support.housing_gap = gap;
     bushing.wear_coefficient        = 5e-13;
     bushing.pin_wear_coefficient    = 2e-13;

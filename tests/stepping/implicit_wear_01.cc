@@ -40,7 +40,7 @@ namespace
     joint.bushing_material = {"plastic", youngs_modulus, 0.38, 2160.};
     BushingParameters bushing;
     bushing.name              = joint.name;
-    bushing.pin               = "rigid";
+    bushing.pin               = PinModel::rigid;
     bushing.axial_length      = 8.6e-3;
     bushing.outer_radius      = 15.875e-3;
     bushing.wear_coefficient  = 5.05e-13;
