@@ -347,10 +347,12 @@ namespace Tribody
                                      const std::string &factor,
                                      const std::string &parameter) const
     {
-      Wear::WearLaw law{{coefficient}, {}};
-      if (factor != "1")
-        law.factors.emplace_back(
-          Wear::FactorExpression("Bushing " + name + "/" + parameter, factor));
+      Wear::WearLaw                law{{coefficient}, {}};
+      const Wear::FactorExpression expression("Bushing " + name + "/" +
+                                                parameter,
+                                              factor);
+      if (!expression.is_one())
+        law.factors.emplace_back(expression);
       if (running_in_factor != 1. && running_in_distance > 0.)
         law.factors.emplace_back(
           Wear::RunningIn{running_in_factor, running_in_distance});
