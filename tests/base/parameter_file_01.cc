@@ -61,7 +61,7 @@ read(const std::string &file, const std::vector<std::string> &overrides = {})
       Example                  example;
       dealii::ParameterHandler prm;
       example.declare(prm);
-      parameters.apply(prm);
+      parameters.apply(prm, {{"Body", "Bodies"}});
       std::cout << "radius " << example.radius * 1e3 << " mm at "
                 << parameters.location("Body crank/Radius") << ", number "
                 << example.n << ", " << name_of(example.choice) << ", markers";
