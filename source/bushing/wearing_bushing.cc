@@ -370,12 +370,12 @@ namespace Tribody
 
 
 
-    ClearanceProfile
+    PeriodicProfile
     WearingBushing::clearance_profile() const
     {
       const double unworn = joint.clearance();
-      return ClearanceProfile(node_angles(),
-                              (wear_profile.depth.array() + unworn).matrix());
+      return PeriodicProfile(node_angles(),
+                             (wear_profile.depth.array() + unworn).matrix());
     }
 
 
@@ -385,7 +385,7 @@ namespace Tribody
     {
       JointClearance surfaces{clearance_profile(), pin_wear_profile()};
       if (const double gap = parameters.rim_support.housing_gap; gap > 0.)
-        surfaces.bushing = ClearanceProfile(
+        surfaces.bushing = PeriodicProfile(
           node_angles(),
           (wear_profile.depth.array() + (joint.clearance() + gap)).matrix());
       return surfaces;
@@ -404,11 +404,11 @@ namespace Tribody
 
 
 
-    ClearanceProfile
+    PeriodicProfile
     WearingBushing::pin_wear_profile() const
     {
-      return pin ? ClearanceProfile(pin->node_angles(), pin->profile().depth)
-                 : ClearanceProfile(0.);
+      return pin ? PeriodicProfile(pin->node_angles(), pin->profile().depth)
+                 : PeriodicProfile(0.);
     }
 
 

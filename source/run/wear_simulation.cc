@@ -55,9 +55,9 @@ namespace Tribody
             const double gap = bushing.rim_support.housing_gap;
             if (gap > 0. && joint.has_contact_law())
               clearances.emplace(bushing.name,
-                                 JointClearance{ClearanceProfile(
+                                 JointClearance{PeriodicProfile(
                                                   joint.clearance() + gap),
-                                                ClearanceProfile(0.)});
+                                                PeriodicProfile(0.)});
           }
         return clearances;
       }

@@ -2,7 +2,8 @@
 
 // The wear laws that the parameters of a bushing ask for. Known: a factor that
 // is the number one, however it is written, is none, so that the law is
-// Archard's with a constant coefficient; any other is one, and so is running-in.
+// Archard's with a constant coefficient; any other is one, and so is
+// running-in.
 
 #include <tribody/bushing/bushing_parameters.h>
 

@@ -210,8 +210,8 @@ namespace
     std::cout << "  implicit and explicit steps differ by less than 0.5 % "
               << (difference < 5e-3 * depth) << std::endl;
     std::cout << "  clearance wider by the gap "
-              << (std::abs(bushing.clearance().bushing.clearance(0.3) -
-                           bushing.clearance_profile().clearance(0.3) - gap) <
+              << (std::abs(bushing.clearance().bushing.value(0.3) -
+                           bushing.clearance_profile().value(0.3) - gap) <
                   1e-12)
               << std::endl;
   }
