@@ -37,14 +37,12 @@ namespace Tribody
         prm,
         "Plane state",
         plane_state,
-        {"plane strain", "plane stress"},
         "Plane strain for a bushing that is long, or held, "
         "along its axis; plane stress for a thin one.");
       Parameters::add_choice(
         prm,
         "Pressure model",
         pressure_model,
-        {"finite element", "infinite plate", "Winkler layer"},
         "How the bushing gives way to the pin: 'finite element' is the meshed "
         "ring; 'infinite plate' the hole in a plate without an end (with an "
         "elastic pin of the same material: Persson's closed form), in which "
@@ -57,7 +55,6 @@ namespace Tribody
         prm,
         "Pin",
         pin,
-        {"automatic", "rigid", "elastic"},
         "Whether the pin deforms in the contact: 'elastic' gives it the "
         "elasticity of a disc of the joint's pin material; 'automatic' does so "
         "unless its Young's modulus is more than 100 times the bushing's, and "
@@ -82,7 +79,6 @@ namespace Tribody
         prm,
         "Stiffness solver",
         stiffness_solver,
-        {"direct", "multigrid"},
         "How displacements are found from forces. 'direct': every rank has the "
         "whole mesh and factorises its stiffness, the fastest as long as that "
         "fits its memory. 'multigrid': the ranks share the cells, and "
@@ -265,17 +261,17 @@ namespace Tribody
                      "'housing' needs a rim that is a circle around "
                      "the bore, without 'Outer centre', 'Outer shape' "
                      "or a mesh file"));
-      AssertThrow(pressure_model == "finite element",
+      AssertThrow(pressure_model == PressureModel::finite_element,
                   ExcParameter(parameter,
                                "'housing' needs 'Pressure model = finite "
                                "element', but it is '" +
-                                 pressure_model +
+                                 name_of(pressure_model) +
                                  "', which knows nothing of the rim"));
-      AssertThrow(stiffness_solver == "direct",
+      AssertThrow(stiffness_solver == StiffnessSolver::direct,
                   ExcParameter(parameter,
                                "'housing' needs 'Stiffness solver = direct', "
                                "but it is '" +
-                                 stiffness_solver + "'"));
+                                 name_of(stiffness_solver) + "'"));
       AssertThrow(!joint.needs_support(),
                   ExcParameter(parameter,
                                "'housing' cannot be combined with the contact "
@@ -350,10 +346,12 @@ namespace Tribody
                                      const std::string &factor,
                                      const std::string &parameter) const
     {
-      Wear::WearLaw law{{coefficient}, {}};
-      if (factor != "1")
-        law.factors.emplace_back(
-          Wear::FactorExpression("Bushing " + name + "/" + parameter, factor));
+      Wear::WearLaw                law{{coefficient}, {}};
+      const Wear::FactorExpression expression("Bushing " + name + "/" +
+                                                parameter,
+                                              factor);
+      if (!expression.is_one())
+        law.factors.emplace_back(expression);
       if (running_in_factor != 1. && running_in_distance > 0.)
         law.factors.emplace_back(
           Wear::RunningIn{running_in_factor, running_in_distance});
@@ -366,8 +364,8 @@ namespace Tribody
     BushingParameters::pin_is_elastic(
       const Multibody::JointParameters &joint) const
     {
-      return pin == "elastic" ||
-             (pin == "automatic" &&
+      return pin == PinModel::elastic ||
+             (pin == PinModel::automatic &&
               joint.pin_material.youngs_modulus <=
                 100. * joint.bushing_material.youngs_modulus);
     }

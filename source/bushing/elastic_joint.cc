@@ -26,15 +26,6 @@ namespace Tribody
   {
     namespace
     {
-      Elasticity::PlaneState
-      plane_state(const std::string &name)
-      {
-        return name == "plane stress" ? Elasticity::PlaneState::stress
-                                      : Elasticity::PlaneState::strain;
-      }
-
-
-
       // Cells around the bore, if all were as narrow as the narrowest.
       unsigned int
       finest_bore_cells(const BoreNodes &nodes)
@@ -68,7 +59,7 @@ namespace Tribody
       , elasticity(*triangulation,
                    parameters.element_degree,
                    joint.bushing_material,
-                   plane_state(parameters.plane_state),
+                   parameters.plane_state,
                    parameters.rim_support)
       , depth(Eigen::VectorXd::Zero(geometry.bore_nodes().n_nodes()))
       , surface(make_bore_surface(geometry.bore_nodes().positions,
@@ -80,7 +71,7 @@ namespace Tribody
                            outer_radius + parameters.rim_support.housing_gap};
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
-      if (pressure_model == "infinite plate")
+      if (pressure_model == PressureModel::infinite_plate)
         plate_compliance =
           Elasticity::infinite_plate_compliance(surface,
                                                 elasticity.hooke(),
@@ -105,7 +96,7 @@ namespace Tribody
       Elasticity::PinElasticity pin(mesh,
                                     parameters.element_degree,
                                     joint.pin_material,
-                                    plane_state(parameters.plane_state));
+                                    parameters.plane_state);
       pin.reinit(dealii::MappingQ<2>(parameters.element_degree));
       pin_surface = make_bore_surface(pin.surface_nodes().positions,
                                       parameters.element_degree);
@@ -174,9 +165,9 @@ namespace Tribody
     Eigen::MatrixXd
     ElasticJoint::bushing_compliance() const
     {
-      if (pressure_model == "infinite plate")
+      if (pressure_model == PressureModel::infinite_plate)
         return plate_compliance;
-      if (pressure_model == "Winkler layer")
+      if (pressure_model == PressureModel::winkler_layer)
         return Elasticity::winkler_compliance(surface,
                                               elasticity.hooke(),
                                               outer_radius);

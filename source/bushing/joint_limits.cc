@@ -78,7 +78,7 @@ namespace Tribody
          "somewhere, both worn and where both are deepest; 0: never.",
          largest_clearance,
          [](const Multibody::JointParameters &joint) {
-           return joint.bushing_radius - joint.pin_radius;
+           return joint.clearance();
          }},
         {"worn volume",
          "m^3",

@@ -405,12 +405,12 @@ namespace Tribody
 
 
 
-    ClearanceProfile
+    PeriodicProfile
     WearingBushing::clearance_profile() const
     {
-      const double unworn = joint.bushing_radius - joint.pin_radius;
-      return ClearanceProfile(node_angles(),
-                              (wear_profile.depth.array() + unworn).matrix());
+      const double unworn = joint.clearance();
+      return PeriodicProfile(node_angles(),
+                             (wear_profile.depth.array() + unworn).matrix());
     }
 
 
@@ -420,11 +420,9 @@ namespace Tribody
     {
       JointClearance surfaces{clearance_profile(), pin_wear_profile()};
       if (const double gap = parameters.rim_support.housing_gap; gap > 0.)
-        surfaces.bushing =
-          ClearanceProfile(node_angles(),
-                           (wear_profile.depth.array() +
-                            (joint.bushing_radius - joint.pin_radius + gap))
-                             .matrix());
+        surfaces.bushing = PeriodicProfile(
+          node_angles(),
+          (wear_profile.depth.array() + (joint.clearance() + gap)).matrix());
       return surfaces;
     }
 
@@ -441,11 +439,11 @@ namespace Tribody
 
 
 
-    ClearanceProfile
+    PeriodicProfile
     WearingBushing::pin_wear_profile() const
     {
-      return pin ? ClearanceProfile(pin->node_angles(), pin->profile().depth)
-                 : ClearanceProfile(0.);
+      return pin ? PeriodicProfile(pin->node_angles(), pin->profile().depth)
+                 : PeriodicProfile(0.);
     }
 
 
@@ -453,7 +451,7 @@ namespace Tribody
     double
     WearingBushing::largest_clearance(const Eigen::VectorXd &depth) const
     {
-      double clearance = joint.bushing_radius - joint.pin_radius;
+      double clearance = joint.clearance();
       for (const WearingSurface &surface : surfaces())
         clearance += surface.part_of(depth).maxCoeff();
       return clearance;

@@ -99,7 +99,7 @@ namespace Tribody
       {
         const CycleContact &contact = state.joints[results.number].contact;
         print_surface(out, "bushing", "", results.bushing);
-        out << "    contact (" << parameters.pressure_model
+        out << "    contact (" << name_of(parameters.pressure_model)
             << "): largest pressure " << contact.max_pressure * 1e-6
             << " MPa, half-angle at the largest force "
             << Units::degrees(contact.at_peak_force().half_angle) << " deg"
@@ -232,7 +232,7 @@ namespace Tribody
       {
         print_joint_table(out, cycle);
         for (const Multibody::JointDutyCycle &joint : cycle.joints)
-          if (joint.has_clearance)
+          if (joint.has_gap)
             print_contacts(out, joint);
         const Multibody::SettlingReport      &settling   = cycle.settling;
         const Sundials::IntegratorStatistics &statistics = cycle.statistics;
@@ -274,7 +274,7 @@ namespace Tribody
             out << "  " << joint.name << ": force in the cycle, largest "
                 << std::setprecision(5) << joint.peak_force() << " N, mean "
                 << joint.mean_force() << " N";
-            if (joint.has_clearance && joint.sliding_distance() > 0.)
+            if (joint.has_gap && joint.sliding_distance() > 0.)
               out << "; sliding " << joint.sliding_distance() * 1e3
                   << " mm per cycle";
             out << std::endl;

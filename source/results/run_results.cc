@@ -52,7 +52,7 @@ namespace Tribody
       {
         const BushingParameters &parameters     = bushing.bushing_parameters();
         const Multibody::JointParameters &joint = bushing.joint_parameters();
-        const double clearance = joint.bushing_radius - joint.pin_radius;
+        const double                      clearance = joint.clearance();
         if (!crescent_applies(bushing, cycle, clearance))
           return {};
         const Wear::Crescent crescent{joint.bushing_radius,

@@ -120,7 +120,7 @@ namespace Tribody
             json["bushing"] =
               bushing_to_json(*bushing, of_bushing, state.stepper);
             json["pin"]             = pin_to_json(bushing->pin);
-            json["pressure_model"]  = of_bushing.pressure_model;
+            json["pressure_model"]  = name_of(of_bushing.pressure_model);
             json["max_pressure_Pa"] = contact.max_pressure;
             json["contact_half_angle_deg"] =
               Units::degrees(contact.at_peak_force().half_angle);
@@ -137,15 +137,14 @@ namespace Tribody
             json["peak_force_deviation_N"] = cycle.peak_force_deviation;
             json["mean_force_deviation_N"] = cycle.mean_force_deviation;
           }
-        if (cycle.has_clearance)
+        if (cycle.has_gap)
           {
             const Multibody::JointParameters &joint =
               parameters.joint(cycle.name);
             add_clearance_to_json(json,
                                   cycle,
-                                  bushing != nullptr
-                                    ? bushing->clearance
-                                    : joint.bushing_radius - joint.pin_radius,
+                                  bushing != nullptr ? bushing->clearance
+                                                     : joint.clearance(),
                                   state.dynamics.contact_losses[j]);
             if (cycles.energy.cycle.has_work && cycle.has_contact_law)
               {

@@ -33,8 +33,10 @@ namespace Tribody
       make_dynamics_parameters(const CaseParameters &parameters)
       {
         Multibody::DynamicsParameters dynamics = parameters.dynamics;
-        if (dynamics.energy_balance == "without wear")
-          dynamics.energy_balance = parameters.cycles == 0 ? "always" : "never";
+        if (dynamics.energy_balance == Multibody::EnergyBalance::without_wear)
+          dynamics.energy_balance = parameters.cycles == 0
+                                      ? Multibody::EnergyBalance::always
+                                      : Multibody::EnergyBalance::never;
         return dynamics;
       }
 
@@ -51,12 +53,11 @@ namespace Tribody
             const Multibody::JointParameters &joint =
               parameters.joint(bushing.name);
             const double gap = bushing.rim_support.housing_gap;
-            if (gap > 0. && joint.has_clearance())
+            if (gap > 0. && joint.has_contact_law())
               clearances.emplace(bushing.name,
-                                 JointClearance{ClearanceProfile(
-                                                  joint.bushing_radius -
-                                                  joint.pin_radius + gap),
-                                                ClearanceProfile(0.)});
+                                 JointClearance{PeriodicProfile(
+                                                  joint.clearance() + gap),
+                                                PeriodicProfile(0.)});
           }
         return clearances;
       }
@@ -154,7 +155,7 @@ namespace Tribody
         out << "Bushing " << bushing.name() << ": "
             << bushing.node_angles().size() << " bore nodes, clearance "
             << 1e3 * bushing.clearance_profile().mean() << " mm, "
-            << bushing.bushing_parameters().pressure_model
+            << name_of(bushing.bushing_parameters().pressure_model)
             << " pressure model, "
             << (bushing.has_elastic_pin() ? "elastic" : "rigid")
             << " pin (modulus "
@@ -174,7 +175,7 @@ namespace Tribody
     {
       run_dynamics();
       solve_contacts();
-      if (parameters.wear.mesh_error_estimate != "none" &&
+      if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
           !process.bushings().empty())
         on_coarse_meshes([this]() {
           coarse_run =
@@ -218,7 +219,8 @@ namespace Tribody
     void
     WearSimulation::restore(const RunState &state)
     {
-      AssertThrow(parameters.wear.mesh_error_estimate != "whole run",
+      AssertThrow(parameters.wear.mesh_error_estimate !=
+                    MeshErrorEstimate::whole_run,
                   ExcRun("A run with 'Wear/Mesh error estimate = whole run' "
                          "cannot be gone on with: the wear on the coarser mesh "
                          "is not part of its state. Choose 'first cycle'."));

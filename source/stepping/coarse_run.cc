@@ -42,7 +42,8 @@ namespace Tribody
 
     CoarseRun::CoarseRun(const WearParameters             &parameters,
                          const std::deque<WearingBushing> &bushings)
-      : follows_whole_run(parameters.mesh_error_estimate == "whole run")
+      : follows_whole_run(parameters.mesh_error_estimate ==
+                          MeshErrorEstimate::whole_run)
       , twin(parameters, make_coarse_bushings(parameters, bushings))
       , errors(bushings.size())
     {

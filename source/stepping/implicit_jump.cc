@@ -18,8 +18,7 @@ namespace Tribody
       smallest_depth(const WearingBushing &bushing)
       {
         const Multibody::JointParameters &joint = bushing.joint_parameters();
-        return 0.05 * std::max(joint.bushing_radius - joint.pin_radius,
-                               1e-5 * joint.bushing_radius);
+        return 0.05 * std::max(joint.clearance(), 1e-5 * joint.bushing_radius);
       }
 
 

@@ -115,7 +115,7 @@ std::pair<double, double>
 wear_out(std::deque<WearingBushing> &&bushings)
 {
   WearParameters wear;
-  wear.mesh_error_estimate = "whole run";
+  wear.mesh_error_estimate = MeshErrorEstimate::whole_run;
   WearProcess process(wear, std::move(bushings));
   process.renew_duty_cycle(make_duty_cycle());
   process.solve_contacts();

@@ -91,7 +91,7 @@ namespace
   {
     Run(const std::vector<BushingParameters> &parameters,
         const bool                            turns,
-        const std::string                    &extrapolation = "implicit")
+        const Extrapolation extrapolation = Extrapolation::implicit)
       : process(make_wear(extrapolation), make_bushings(parameters))
     {
       Multibody::DutyCycle cycle;
@@ -102,7 +102,7 @@ namespace
     }
 
     static WearParameters
-    make_wear(const std::string &extrapolation)
+    make_wear(const Extrapolation extrapolation)
     {
       WearParameters wear;
       wear.extrapolation = extrapolation;
@@ -289,8 +289,8 @@ namespace
     const std::vector<BushingParameters> alone = {make_parameters("a")};
     const std::vector<BushingParameters> both  = {make_parameters("a"),
                                                   make_parameters("b")};
-    Run                                  one_explicit(alone, false, "constant");
-    Run                                  two_explicit(both, false, "constant");
+    Run one_explicit(alone, false, Extrapolation::constant);
+    Run two_explicit(both, false, Extrapolation::constant);
     one_explicit.go_to(20.);
     two_explicit.go_to(20.);
     const auto depth = [](const Run &run, const std::size_t j) {

@@ -31,7 +31,7 @@ namespace
     bushing.name                    = "pin";
     bushing.axial_length            = 8.6e-3;
     bushing.outer_radius            = 15.875e-3;
-    bushing.rim_support.kind        = "housing";
+    bushing.rim_support.kind        = Elasticity::RimSupport::Kind::housing;
     bushing.rim_support.housing_gap = gap;
     bushing.wear_coefficient        = 5e-13;
     bushing.pin_wear_coefficient    = 2e-13;
@@ -83,8 +83,8 @@ namespace
 
   struct Run
   {
-    explicit Run(const double       gap,
-                 const std::string &extrapolation = "implicit")
+    explicit Run(const double        gap,
+                 const Extrapolation extrapolation = Extrapolation::implicit)
       : process(make_wear(extrapolation), make_bushings(gap))
     {
       Multibody::DutyCycle cycle;
@@ -94,7 +94,7 @@ namespace
     }
 
     static WearParameters
-    make_wear(const std::string &extrapolation)
+    make_wear(const Extrapolation extrapolation)
     {
       WearParameters wear;
       wear.extrapolation = extrapolation;
@@ -206,7 +206,7 @@ namespace
                            2.5) < 1e-9)
               << std::endl;
 
-    Run explicit_run(gap, "constant");
+    Run explicit_run(gap, Extrapolation::constant);
     explicit_run.go_to(end);
     const double depth = bushing.profile().max_depth();
     const double difference =
@@ -214,8 +214,8 @@ namespace
     std::cout << "  implicit and explicit steps differ by less than 0.5 % "
               << (difference < 5e-3 * depth) << std::endl;
     std::cout << "  clearance wider by the gap "
-              << (std::abs(bushing.clearance().bushing.clearance(0.3) -
-                           bushing.clearance_profile().clearance(0.3) - gap) <
+              << (std::abs(bushing.clearance().bushing.value(0.3) -
+                           bushing.clearance_profile().value(0.3) - gap) <
                   1e-12)
               << std::endl;
   }

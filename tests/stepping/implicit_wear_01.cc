@@ -39,7 +39,7 @@ namespace
     joint.bushing_material = {"plastic", youngs_modulus, 0.38, 2160.};
     BushingParameters bushing;
     bushing.name              = joint.name;
-    bushing.pin               = "rigid";
+    bushing.pin               = PinModel::rigid;
     bushing.axial_length      = 8.6e-3;
     bushing.outer_radius      = 15.875e-3;
     bushing.wear_coefficient  = 5.05e-13;
@@ -81,7 +81,7 @@ namespace
     Run(const double                youngs_modulus,
         const unsigned int          n_bore_cells,
         const Multibody::DutyCycle &duty_cycle,
-        const std::string          &extrapolation,
+        const Extrapolation         extrapolation,
         const double                eps = tolerance)
       : process(make_wear(extrapolation, eps),
                 make_bushing(youngs_modulus, n_bore_cells))
@@ -91,7 +91,7 @@ namespace
     }
 
     static WearParameters
-    make_wear(const std::string &extrapolation, const double eps)
+    make_wear(const Extrapolation extrapolation, const double eps)
     {
       WearParameters wear;
       wear.extrapolation = extrapolation;
@@ -168,12 +168,12 @@ namespace
     const Multibody::DutyCycle duty_cycle = make_duty_cycle(24, M_PI / 3.);
     const double               end        = 20000.;
 
-    Run reference(0.139e9, 60, duty_cycle, "implicit", 1e-6);
+    Run reference(0.139e9, 60, duty_cycle, Extrapolation::implicit, 1e-6);
     reference.go_to(end);
 
     for (const double eps : {1e-2, tolerance, 1e-3, 1e-4, 1e-5})
       {
-        Run run(0.139e9, 60, duty_cycle, "implicit", eps);
+        Run run(0.139e9, 60, duty_cycle, Extrapolation::implicit, eps);
         run.go_to(end);
         std::cout << "tolerance " << eps << ": depth right to its estimate: "
                   << (std::abs(run.depth() - reference.depth()) <
@@ -187,9 +187,9 @@ namespace
 
         if (eps != tolerance)
           continue;
-        Run explicit_run(0.139e9, 60, duty_cycle, "constant");
+        Run explicit_run(0.139e9, 60, duty_cycle, Extrapolation::constant);
         explicit_run.go_to(end);
-        Run fine(0.139e9, 120, duty_cycle, "implicit", eps);
+        Run fine(0.139e9, 120, duty_cycle, Extrapolation::implicit, eps);
         fine.go_to(end);
         std::cout << "explicit steps within the estimate: "
                   << (std::abs(run.depth() - explicit_run.depth()) <
@@ -209,7 +209,10 @@ namespace
   {
     for (const double youngs_modulus : {1e12})
       {
-        Run run(youngs_modulus, 180, make_duty_cycle(1, 0.), "implicit");
+        Run                      run(youngs_modulus,
+                180,
+                make_duty_cycle(1, 0.),
+                Extrapolation::implicit);
         const BushingParameters &bushing = run.bushing().bushing_parameters();
         const Multibody::JointParameters &joint =
           run.bushing().joint_parameters();

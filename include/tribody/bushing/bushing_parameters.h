@@ -3,9 +3,11 @@
 #ifndef tribody_bushing_bushing_parameters_h
 #define tribody_bushing_bushing_parameters_h
 
+#include <tribody/base/choice.h>
 #include <tribody/bushing/joint_limits.h>
 #include <tribody/contact/contact_solver_parameters.h>
 #include <tribody/elasticity/mesh_file.h>
+#include <tribody/elasticity/plane_state.h>
 #include <tribody/elasticity/rim_shape.h>
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/ring_mesh.h>
@@ -28,6 +30,54 @@ namespace Tribody
 
   namespace Coupling
   {
+    /// How a bushing gives way to the pin.
+    enum class PressureModel
+    {
+      finite_element,
+      infinite_plate,
+      winkler_layer
+    };
+
+    inline ChoiceNames<PressureModel>
+    choice_names(const PressureModel)
+    {
+      return {{PressureModel::finite_element, "finite element"},
+              {PressureModel::infinite_plate, "infinite plate"},
+              {PressureModel::winkler_layer, "Winkler layer"}};
+    }
+
+    /// How displacements are found from forces: by a factorisation that every
+    /// rank has, or by iterations on cells that the ranks share.
+    enum class StiffnessSolver
+    {
+      direct,
+      multigrid
+    };
+
+    inline ChoiceNames<StiffnessSolver>
+    choice_names(const StiffnessSolver)
+    {
+      return {{StiffnessSolver::direct, "direct"},
+              {StiffnessSolver::multigrid, "multigrid"}};
+    }
+
+    /// Whether the pin deforms; automatic: if it is not much stiffer than the
+    /// bushing.
+    enum class PinModel
+    {
+      automatic,
+      rigid,
+      elastic
+    };
+
+    inline ChoiceNames<PinModel>
+    choice_names(const PinModel)
+    {
+      return {{PinModel::automatic, "automatic"},
+              {PinModel::rigid, "rigid"},
+              {PinModel::elastic, "elastic"}};
+    }
+
     /// A published or measured value that a result is shown beside.
     struct Comparison
     {
@@ -55,20 +105,16 @@ namespace Tribody
       Elasticity::RimShape rim_shape;
       /// What holds it there.
       Elasticity::RimSupport rim_support;
-      /// "plane strain" or "plane stress".
-      std::string plane_state = "plane strain";
-      /// "finite element", "infinite plate" or "Winkler layer".
-      std::string pressure_model = "finite element";
+      Elasticity::PlaneState plane_state    = Elasticity::PlaneState::strain;
+      PressureModel          pressure_model = PressureModel::finite_element;
       /// Polynomial degree of the elements.
-      unsigned int element_degree = 2;
-      /// "direct" or "multigrid".
-      std::string stiffness_solver = "direct";
+      unsigned int    element_degree   = 2;
+      StiffnessSolver stiffness_solver = StiffnessSolver::direct;
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
       /// Instead of a ring, if there is one.
       Elasticity::MeshFile mesh_file;
-      /// "automatic", "rigid" or "elastic".
-      std::string pin = "automatic";
+      PinModel             pin = PinModel::automatic;
       /// Radius of the hole in the pin [m]; 0: none.
       double pin_hole_radius = 0.;
       /// When the contact problem counts as solved.
@@ -114,7 +160,7 @@ namespace Tribody
       bool
       shares_mesh() const
       {
-        return stiffness_solver == "multigrid";
+        return stiffness_solver == StiffnessSolver::multigrid;
       }
 
       /// Whether mesh and geometry look the same from each cell around the

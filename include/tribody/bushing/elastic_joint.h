@@ -156,9 +156,9 @@ namespace Tribody
       Eigen::MatrixXd
       bushing_compliance() const;
 
-      MPI_Comm    communicator;
-      std::string pressure_model;
-      double      outer_radius;
+      MPI_Comm      communicator;
+      PressureModel pressure_model;
+      double        outer_radius;
       /// Of the unworn bushing.
       bool                                      cells_are_alike;
       std::unique_ptr<dealii::Triangulation<2>> triangulation;

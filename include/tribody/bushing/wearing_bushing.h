@@ -11,8 +11,8 @@
 #include <tribody/contact/contact_solution.h>
 #include <tribody/multibody/joints/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
-#include <tribody/surface/clearance_profile.h>
 #include <tribody/surface/joint_clearance.h>
+#include <tribody/surface/periodic_profile.h>
 #include <tribody/wear/wear_law.h>
 #include <tribody/wear/wear_profile.h>
 
@@ -233,12 +233,12 @@ namespace Tribody
 
       /// Clearance between the unworn pin and the worn bore, c + h, over the
       /// angle in the bushing's frame (eq. 28).
-      ClearanceProfile
+      PeriodicProfile
       clearance_profile() const;
 
       /// What wear has taken from the pin's radius, over the angle in the pin's
       /// frame: zero everywhere if the pin does not wear.
-      ClearanceProfile
+      PeriodicProfile
       pin_wear_profile() const;
 
       /// The worn surfaces as the dynamics takes them. A ring without inertia

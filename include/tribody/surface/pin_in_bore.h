@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <tribody/base/choice.h>
 #include <tribody/surface/joint_clearance.h>
 
 namespace Tribody
@@ -55,6 +56,13 @@ namespace Tribody
     /// @cite mukras2010).
     scalar
   };
+
+  inline ChoiceNames<PenetrationMeasure>
+  choice_names(const PenetrationMeasure)
+  {
+    return {{PenetrationMeasure::deepest, "deepest penetration"},
+            {PenetrationMeasure::scalar, "scalar clearance"}};
+  }
 
   /**
    * A pin off the centre of its bore. The bore is the curve @f$ x(\theta) =

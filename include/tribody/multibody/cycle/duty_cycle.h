@@ -29,10 +29,11 @@ namespace Tribody
     struct JointDutyCycle
     {
       std::string name;
-      bool        is_revolute   = true;
-      bool        has_clearance = false;
-      /// Whether the pin presses by a contact force law, so that EnergyRecord
-      /// has entries for it; else it is rigid.
+      bool        is_revolute = true;
+      /// As JointParameters::has_gap().
+      bool has_gap = false;
+      /// As JointParameters::has_contact_law(); EnergyRecord has entries for
+      /// these joints.
       bool has_contact_law = false;
 
       /// Total force [N].
