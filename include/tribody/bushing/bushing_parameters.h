@@ -128,22 +128,13 @@ namespace Tribody
       std::string wear_coefficient_factor = "1";
       /// The same for that of the pin.
       std::string pin_wear_coefficient_factor = "1";
-<<<<<<< HEAD
-      /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-] and s_0 [m];
-      /// 0: none.
-      double running_in_factor   = 1.;
-      double running_in_distance = 0.;
-      /// At which the run ends, one per entry of joint_limits(), in SI units;
-      /// 0: none.
-      std::vector<double> limits = std::vector<double>(joint_limits().size());
-=======
       /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-].
       double running_in_factor = 1.;
       /// s_0 of both surfaces [m]; 0: no running-in.
       double running_in_distance = 0.;
-      /// What ends the run.
-      BushingLimits limits;
->>>>>>> h-doc
+      /// At which the run ends, one per entry of joint_limits(), in SI units;
+      /// 0: none.
+      std::vector<double> limits = std::vector<double>(joint_limits().size());
       /// Values that the results are shown beside.
       Comparison comparison;
 

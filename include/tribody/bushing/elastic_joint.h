@@ -59,7 +59,6 @@ namespace Tribody
       void
       update(const Wear::WearProfile &profile);
 
-<<<<<<< HEAD
       /// Take the shape of @p profile with the compliance for the depth
       /// @p compliance_depth [m], as a run had them that has come to this
       /// shape.
@@ -74,9 +73,7 @@ namespace Tribody
         return depth_at_compliance;
       }
 
-=======
       /// As manufactured.
->>>>>>> h-doc
       const BoreNodes &
       bore_nodes() const
       {
@@ -126,16 +123,6 @@ namespace Tribody
         return geometry.removed_area();
       }
 
-<<<<<<< HEAD
-=======
-      /// How often the compliance has been computed, the unworn one included.
-      unsigned int
-      n_compliance_builds() const
-      {
-        return n_builds;
-      }
-
->>>>>>> h-doc
       /// Write displacement and stresses under @p contact, and the wear, to a
       /// VTU file: the first rank does, or all together if they share the mesh.
       void
