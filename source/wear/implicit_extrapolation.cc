@@ -151,6 +151,9 @@ namespace Tribody
 
 
 
+      // From one step to the next; ARKODE's default.
+      constexpr double max_growth = 20.;
+
       // What an event may be off by where it ends the integration.
       constexpr double event_tolerance = 1e-10;
     } // namespace
@@ -291,13 +294,19 @@ namespace Tribody
       // Made anew, so that nothing lasts but lasting_memory() tells.
       m.release();
       m.create(cycles);
-      double &proposal = m.lasting.proposal;
+      double    &proposal = m.lasting.proposal;
+      const bool is_first = proposal == 0.;
       if (const double change = rate.cwiseProduct(weights).norm();
           proposal == 0. && change > 0.)
         proposal = 1. / change;
       if (max_step > 0. && max_step < proposal)
         proposal = max_step;
       m.check(ARKStepSetInitStep(m.arkode, proposal), "ARKStepSetInitStep");
+      // For ARKODE each step is the first one, after which it may grow without
+      // measure.
+      if (!is_first)
+        m.check(ARKStepSetMaxFirstGrowth(m.arkode, max_growth),
+                "ARKStepSetMaxFirstGrowth");
     }
 
 
