@@ -27,8 +27,16 @@ main()
                                     {{"s"}},
                                     "the time t in seconds",
                                     "'t^2'"};
-  for (const std::string text :
-       {"1", "1.0", " 1 ", "100e-2", "0.5", "-3", "1 + 0*t", "pi/pi", "1 x", ""})
+  for (const std::string text : {"1",
+                                 "1.0",
+                                 " 1 ",
+                                 "100e-2",
+                                 "0.5",
+                                 "-3",
+                                 "1 + 0*t",
+                                 "pi/pi",
+                                 "1 x",
+                                 ""})
     {
       std::cout << "'" << text << "': ";
       try
@@ -48,7 +56,7 @@ main()
                                      {{"Pa", "m/s", "m"}},
                                      "p, v and s",
                                      "'p'"};
-  const Expression<3> product("Factor", "p*v^2 + sin(pi/2)*s", place);
+  const Expression<3>          product("Factor", "p*v^2 + sin(pi/2)*s", place);
   std::cout << "three variables: "
             << product.value(dealii::Point<3>(2., 3., 4.)) << std::endl;
   const Expression<3>    pole("Factor", "1/(p - 1)", place);
@@ -57,8 +65,8 @@ main()
             << message_of(pole.error_at(at, "is not a finite number"))
             << std::endl;
   const Expression<3> five(5.);
-  std::cout << "given constant: " << five.is_constant() << ' '
-            << five.value(at) << std::endl;
+  std::cout << "given constant: " << five.is_constant() << ' ' << five.value(at)
+            << std::endl;
 
   std::cerr.rdbuf(to_screen);
   std::cout << "to the screen: '" << words.str() << "'" << std::endl;

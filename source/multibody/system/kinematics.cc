@@ -14,6 +14,7 @@
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
+#include <tribody/multibody/system/mechanism_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -462,6 +463,28 @@ namespace Tribody
       const Eigen::VectorXd x =
         solve_saddle_point(equations, q, right_hand_side);
       return {x.head(n), x.tail(m)};
+    }
+
+
+
+    Accelerations
+    compute_accelerations(const EquationsOfMotion &equations,
+                          const MechanismState    &state)
+    {
+      Eigen::VectorXd forces(state.q.size());
+      equations.assemble_forces(state.time,
+                                state.q,
+                                state.v,
+                                state.approach_speeds,
+                                state.friction_states,
+                                forces);
+      return compute_accelerations(equations,
+                                   state.time,
+                                   ConstraintOffsets(
+                                     equations.mechanism().n_constraints()),
+                                   state.q,
+                                   state.v,
+                                   forces);
     }
 
 

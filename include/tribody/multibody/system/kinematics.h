@@ -15,6 +15,7 @@ namespace Tribody
   {
     class EquationsOfMotion;
     class Mechanism;
+    struct MechanismState;
 
     /**
      * A motion added to the constraints: Phi(q, t) = value. Used to place the
@@ -89,6 +90,12 @@ namespace Tribody
                           const Eigen::VectorXd   &q,
                           const Eigen::VectorXd   &v,
                           const Eigen::VectorXd   &forces);
+
+    /// The same in the @p state under all its forces, without offsets: the
+    /// exact reactions for its positions and velocities.
+    Accelerations
+    compute_accelerations(const EquationsOfMotion &equations,
+                          const MechanismState    &state);
 
     /// Positions, velocities, accelerations and multipliers at one instant.
     struct Motion
