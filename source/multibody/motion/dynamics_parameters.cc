@@ -100,7 +100,7 @@ namespace Tribody
           "Cycles that are run before the last one is "
           "recorded although the motion does not repeat; "
           "the report says so. 0 records the first cycle, "
-          "from the p.start, whether it repeats or not.",
+          "from the start, whether it repeats or not.",
           0,
           100000);
         Parameters::add_integer(
