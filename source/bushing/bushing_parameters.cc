@@ -14,153 +14,217 @@ namespace Tribody
 {
   namespace Coupling
   {
+    namespace
+    {
+      // One function per group of entries, in the order of the manual.
+      void
+      add_ring(dealii::ParameterHandler &prm, BushingParameters &p)
+      {
+        Parameters::add_quantity(prm,
+                                 "Axial length",
+                                 p.axial_length,
+                                 "m",
+                                 "Length of the bushing along the axis of the "
+                                 "joint, positive.",
+                                 "mm");
+        Parameters::add_quantity(prm,
+                                 "Outer radius",
+                                 p.outer_radius,
+                                 "m",
+                                 "Radius of the rim, larger than the joint's "
+                                 "bushing radius.",
+                                 "mm");
+        p.rim_shape.add_parameters(prm);
+        p.rim_support.add_parameters(prm);
+        Parameters::add_choice(
+          prm,
+          "Plane state",
+          p.plane_state,
+          "Plane strain for a bushing that is long, or held, "
+          "along its axis; plane stress for a thin one.");
+        Parameters::add_choice(
+          prm,
+          "Pressure model",
+          p.pressure_model,
+          "How the bushing gives way to the pin: 'finite element' is the "
+          "meshed "
+          "ring; 'infinite plate' the hole in a plate without an end (with an "
+          "elastic pin of the same material: Persson's closed form), in which "
+          "the outer radius only concerns the pin's place; 'Winkler layer' a "
+          "layer as thick as the wall that yields to the pressure of each "
+          "place "
+          "alone, u = p t (1+nu)(1-2nu)/(E(1-nu)) in plane strain. The last "
+          "two "
+          "are there to be compared with; everything else, and the stresses in "
+          "the VTU files, is computed as ever.");
+      }
+
+
+
+      void
+      add_pin(dealii::ParameterHandler &prm, BushingParameters &p)
+      {
+        Parameters::add_choice(
+          prm,
+          "Pin",
+          p.pin,
+          "Whether the pin deforms in the contact: 'elastic' gives it the "
+          "elasticity of a disc of the joint's pin material; 'automatic' does "
+          "so "
+          "unless its Young's modulus is more than 100 times the bushing's, "
+          "and "
+          "the log says which. The pin's place is then the mean place of its "
+          "cross section.");
+        Parameters::add_quantity(
+          prm,
+          "Pin hole radius",
+          p.pin_hole_radius,
+          "m",
+          "Radius of the hole in a hollow pin, free of "
+          "forces; 0: a solid pin. It matters if the pin "
+          "is elastic.",
+          "mm");
+      }
+
+
+
+      void
+      add_elements(dealii::ParameterHandler &prm, BushingParameters &p)
+      {
+        Parameters::add_integer(prm,
+                                "Element degree",
+                                p.element_degree,
+                                "Polynomial degree of displacement and "
+                                "geometry.",
+                                1,
+                                3);
+        Parameters::add_choice(
+          prm,
+          "Stiffness solver",
+          p.stiffness_solver,
+          "How displacements are found from forces. 'direct': every rank has "
+          "the "
+          "whole mesh and factorises its stiffness, the fastest as long as "
+          "that "
+          "fits its memory. 'multigrid': the ranks share the cells, and "
+          "conjugate gradients with algebraic multigrid find every "
+          "displacement "
+          "to 1e-12 of the force. A ring is shared best if powers of two "
+          "divide "
+          "its bore cells and radial cells; cells of a refined sector stay on "
+          "the rank that had them. The coarser mesh of 'Wear/Mesh error "
+          "estimate' is solved directly, by each rank alone, as is what "
+          "'Mesh/Nodes across contact' looks at.");
+      }
+
+
+
+      void
+      add_wear(dealii::ParameterHandler &prm, BushingParameters &p)
+      {
+        Parameters::add_quantity(prm,
+                                 "Wear coefficient",
+                                 p.wear_coefficient,
+                                 "Pa^-1",
+                                 "Archard's k of the bushing: worn volume per "
+                                 "normal force and sliding distance, not "
+                                 "negative.",
+                                 "mm^3/(N m)");
+        Parameters::add_quantity(prm,
+                                 "Pin wear coefficient",
+                                 p.pin_wear_coefficient,
+                                 "Pa^-1",
+                                 "Archard's k of the pin, not negative; 0: the "
+                                 "pin does not wear. The pin wears in its own "
+                                 "frame, which turns in the bushing.",
+                                 "mm^3/(N m)");
+        Parameters::add_text(
+          prm,
+          "Wear coefficient factor",
+          p.wear_coefficient_factor,
+          "What the wear coefficient of the bushing is multiplied by: a number "
+          "or an expression of the contact pressure p in Pa, the sliding speed "
+          "v "
+          "in m/s and the distance s in m that the joint has slid before, for "
+          "example '(p/1e6)^0.5'. Not negative, and smooth in p.");
+        Parameters::add_text(prm,
+                             "Pin wear coefficient factor",
+                             p.pin_wear_coefficient_factor,
+                             "The same for the wear coefficient of the pin.");
+        Parameters::add_quantity(
+          prm,
+          "Running-in factor",
+          p.running_in_factor,
+          "",
+          "f_0: how many times as fast fresh surfaces wear. The wear "
+          "coefficients of bushing and pin are multiplied by 1 + (f_0 - 1) "
+          "exp(-s/s_0) with the distance s that the joint has slid before. Not "
+          "negative; 1: no running-in.");
+        Parameters::add_quantity(prm,
+                                 "Running-in distance",
+                                 p.running_in_distance,
+                                 "m",
+                                 "s_0: sliding distance over which running-in "
+                                 "fades; 0: no running-in.");
+      }
+
+
+
+      void
+      add_limits(dealii::ParameterHandler &prm, BushingParameters &p)
+      {
+        for (std::size_t i = 0; i < p.limits.size(); ++i)
+          {
+            const JointLimit &limit = joint_limits()[i];
+            Parameters::add_quantity(prm,
+                                     limit.parameter(),
+                                     p.limits[i],
+                                     limit.si_unit,
+                                     limit.documentation,
+                                     limit.shown_unit);
+          }
+      }
+
+
+
+      void
+      add_comparison(dealii::ParameterHandler &prm, BushingParameters &p)
+      {
+        Parameters::add_text(
+          prm,
+          "Comparison source",
+          p.comparison.source,
+          "Where the two comparison values come from and what "
+          "they are worth. They are shown beside the result "
+          "and used for nothing else; empty: none.");
+        Parameters::add_quantity(prm,
+                                 "Comparison maximum depth",
+                                 p.comparison.max_wear_depth,
+                                 "m",
+                                 "A maximum wear depth to show beside the "
+                                 "result; 0: none.",
+                                 "mm");
+        Parameters::add_quantity(prm,
+                                 "Comparison worn mass",
+                                 p.comparison.worn_mass,
+                                 "kg",
+                                 "A worn mass to show beside the result; 0: "
+                                 "none.",
+                                 "g");
+      }
+    } // namespace
+
+
+
     void
     BushingParameters::add_parameters(dealii::ParameterHandler &prm)
     {
-      Parameters::add_quantity(prm,
-                               "Axial length",
-                               axial_length,
-                               "m",
-                               "Length of the bushing along the axis of the "
-                               "joint, positive.",
-                               "mm");
-      Parameters::add_quantity(prm,
-                               "Outer radius",
-                               outer_radius,
-                               "m",
-                               "Radius of the rim, larger than the joint's "
-                               "bushing radius.",
-                               "mm");
-      rim_shape.add_parameters(prm);
-      rim_support.add_parameters(prm);
-      Parameters::add_choice(
-        prm,
-        "Plane state",
-        plane_state,
-        "Plane strain for a bushing that is long, or held, "
-        "along its axis; plane stress for a thin one.");
-      Parameters::add_choice(
-        prm,
-        "Pressure model",
-        pressure_model,
-        "How the bushing gives way to the pin: 'finite element' is the meshed "
-        "ring; 'infinite plate' the hole in a plate without an end (with an "
-        "elastic pin of the same material: Persson's closed form), in which "
-        "the outer radius only concerns the pin's place; 'Winkler layer' a "
-        "layer as thick as the wall that yields to the pressure of each place "
-        "alone, u = p t (1+nu)(1-2nu)/(E(1-nu)) in plane strain. The last two "
-        "are there to be compared with; everything else, and the stresses in "
-        "the VTU files, is computed as ever.");
-      Parameters::add_choice(
-        prm,
-        "Pin",
-        pin,
-        "Whether the pin deforms in the contact: 'elastic' gives it the "
-        "elasticity of a disc of the joint's pin material; 'automatic' does so "
-        "unless its Young's modulus is more than 100 times the bushing's, and "
-        "the log says which. The pin's place is then the mean place of its "
-        "cross section.");
-      Parameters::add_quantity(prm,
-                               "Pin hole radius",
-                               pin_hole_radius,
-                               "m",
-                               "Radius of the hole in a hollow pin, free of "
-                               "forces; 0: a solid pin. It matters if the pin "
-                               "is elastic.",
-                               "mm");
-      Parameters::add_integer(prm,
-                              "Element degree",
-                              element_degree,
-                              "Polynomial degree of displacement and "
-                              "geometry.",
-                              1,
-                              3);
-      Parameters::add_choice(
-        prm,
-        "Stiffness solver",
-        stiffness_solver,
-        "How displacements are found from forces. 'direct': every rank has the "
-        "whole mesh and factorises its stiffness, the fastest as long as that "
-        "fits its memory. 'multigrid': the ranks share the cells, and "
-        "conjugate gradients with algebraic multigrid find every displacement "
-        "to 1e-12 of the force. A ring is shared best if powers of two divide "
-        "its bore cells and radial cells; cells of a refined sector stay on "
-        "the rank that had them. The coarser mesh of 'Wear/Mesh error "
-        "estimate' is solved directly, by each rank alone, as is what "
-        "'Mesh/Nodes across contact' looks at.");
-      Parameters::add_quantity(prm,
-                               "Wear coefficient",
-                               wear_coefficient,
-                               "Pa^-1",
-                               "Archard's k of the bushing: worn volume per "
-                               "normal force and sliding distance, not "
-                               "negative.",
-                               "mm^3/(N m)");
-      Parameters::add_quantity(prm,
-                               "Pin wear coefficient",
-                               pin_wear_coefficient,
-                               "Pa^-1",
-                               "Archard's k of the pin, not negative; 0: the "
-                               "pin does not wear. The pin wears in its own "
-                               "frame, which turns in the bushing.",
-                               "mm^3/(N m)");
-      Parameters::add_text(
-        prm,
-        "Wear coefficient factor",
-        wear_coefficient_factor,
-        "What the wear coefficient of the bushing is multiplied by: a number "
-        "or an expression of the contact pressure p in Pa, the sliding speed v "
-        "in m/s and the distance s in m that the joint has slid before, for "
-        "example '(p/1e6)^0.5'. Not negative, and smooth in p.");
-      Parameters::add_text(prm,
-                           "Pin wear coefficient factor",
-                           pin_wear_coefficient_factor,
-                           "The same for the wear coefficient of the pin.");
-      Parameters::add_quantity(
-        prm,
-        "Running-in factor",
-        running_in_factor,
-        "",
-        "f_0: how many times as fast fresh surfaces wear. The wear "
-        "coefficients of bushing and pin are multiplied by 1 + (f_0 - 1) "
-        "exp(-s/s_0) with the distance s that the joint has slid before. Not "
-        "negative; 1: no running-in.");
-      Parameters::add_quantity(prm,
-                               "Running-in distance",
-                               running_in_distance,
-                               "m",
-                               "s_0: sliding distance over which running-in "
-                               "fades; 0: no running-in.");
-      for (std::size_t i = 0; i < limits.size(); ++i)
-        {
-          const JointLimit &limit = joint_limits()[i];
-          Parameters::add_quantity(prm,
-                                   limit.parameter(),
-                                   limits[i],
-                                   limit.si_unit,
-                                   limit.documentation,
-                                   limit.shown_unit);
-        }
-      Parameters::add_text(prm,
-                           "Comparison source",
-                           comparison.source,
-                           "Where the two comparison values come from and what "
-                           "they are worth. They are shown beside the result "
-                           "and used for nothing else; empty: none.");
-      Parameters::add_quantity(prm,
-                               "Comparison maximum depth",
-                               comparison.max_wear_depth,
-                               "m",
-                               "A maximum wear depth to show beside the "
-                               "result; 0: none.",
-                               "mm");
-      Parameters::add_quantity(prm,
-                               "Comparison worn mass",
-                               comparison.worn_mass,
-                               "kg",
-                               "A worn mass to show beside the result; 0: "
-                               "none.",
-                               "g");
+      add_ring(prm, *this);
+      add_pin(prm, *this);
+      add_elements(prm, *this);
+      add_wear(prm, *this);
+      add_limits(prm, *this);
+      add_comparison(prm, *this);
       prm.enter_subsection("Mesh");
       mesh.add_parameters(prm);
       mesh_file.add_parameters(prm);

@@ -202,8 +202,8 @@ main(int argc, char **argv)
   check_foundation(5e12, 0.);
   check_foundation(5e13, 2e12);
   check_stiff_foundation();
-  check_shape({"ellipse", {}, 0.7}, 1.);
-  check_shape({"circle", {0.2, -0.1}, 0.}, 1.);
+  check_shape({RimShape::Kind::ellipse, {}, 0.7}, 1.);
+  check_shape({RimShape::Kind::circle, {0.2, -0.1}, 0.}, 1.);
   check_turned_ellipse();
   check_vertices();
 }

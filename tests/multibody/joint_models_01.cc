@@ -174,11 +174,7 @@ bounce()
   // 0.316 m/s halved until it is below 0.1 mm/s.
   std::cout << "bouncing pin: " << n_onsets << " impacts, " << n_losses
             << " flights after them, following at the end: "
-            << flight.motion.present_equations()
-                 .mechanism()
-                 .impact_joints()[0]
-                 .is_following
-            << std::endl;
+            << flight.motion.state().is_following[0] << std::endl;
   report_below("  speeds e^n, relative error", error, 1e-3);
   report_below("  separation speeds, relative error", leaving, 1e-3);
   report_below("  impulses are changes of momentum, relative error",

@@ -101,15 +101,7 @@ pendulum_force()
   // Length 0.5 m.
   const MechanismState &bottom =
     integrator.advance_to(1.8540746773013719 * std::sqrt(0.5 / g), 100000);
-  Eigen::VectorXd forces(mechanism.n_coordinates());
-  equations.assemble_forces(bottom.time, bottom.q, bottom.v, {}, forces);
-  const Accelerations result =
-    compute_accelerations(equations,
-                          bottom.time,
-                          ConstraintOffsets(mechanism.n_constraints()),
-                          bottom.q,
-                          bottom.v,
-                          forces);
+  const Accelerations result = compute_accelerations(equations, bottom);
   report_value("bar force at the bottom over m g",
                result.multipliers.norm() / (2. * g),
                4);

@@ -219,16 +219,16 @@ main()
 
   const JointParameters &joint = p.joints[1];
   std::cout << joint.pin_radius * 1e3 << ' ' << joint.bushing_radius * 1e3
-            << ' ' << joint.contact_force_law << ' '
-            << joint.restitution_coefficient << ' ' << joint.friction_law << ' '
-            << joint.friction_coefficient << ' '
-            << joint.friction_regularisation_speed * 1e3 << ' '
+            << ' ' << name_of(joint.contact_force_law) << ' '
+            << joint.restitution_coefficient << ' '
+            << name_of(joint.friction_law) << ' ' << joint.friction_coefficient
+            << ' ' << joint.friction_regularisation_speed * 1e3 << ' '
             << joint.minimum_approach_speed * 1e3 << ' '
             << joint.tangential_damping << std::endl
             << dynamics.accuracy << ' ' << dynamics.maximum_order << ' '
             << dynamics.samples_per_cycle << ' ' << dynamics.settling_tolerance
-            << ' ' << dynamics.maximum_settling_cycles << ' ' << dynamics.start
-            << std::endl
+            << ' ' << dynamics.maximum_settling_cycles << ' '
+            << name_of(dynamics.start) << std::endl
             << p.drivers[0].speed / M_PI << ' '
             << p.bodies[1].initial_angle * 180 / M_PI << std::endl;
 

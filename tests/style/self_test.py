@@ -80,7 +80,26 @@ OFFENCES = [
     ("documents", "doc/a.md", "See `prm/none.prm --check`.\n", 1),
     ("documents", "prm/a.prm", "set A = 1 # tests/wear/none_01.cc compares\n", 1),
     ("documents", "source/wear/w.cc", "int i;\n// See doc/none.md.\n", 2),
+    ("lengths", "source/wear/w.cc", "\nint\nf()\n{\n" + "  f();\n" * 79 + "}\n", 4),
+    ("lengths", "include/tribody/wear/w.h", "\nclass W\n{\n" + "  int i;\n" * 298 + "};\n",
+     2),
 ]
+
+# Lines of source/wear that are one too many with those of its header, and where
+# that is reported.
+LONG = "int i;\n" * (3501 - header("wear", "w").count("\n"))
+LONG_FOLDER = ("includes", "source/wear/w.cc", LONG, "source/wear:3501:")
+
+# Two files that include each other are allowed by every other rule. It is
+# reported where the circle closes, which may be either header.
+CIRCLE = ("includes", "include/tribody/base/a.h",
+          header("base", "a", "tribody/base/b.h"), ".h:4: headers include")
+
+# What is as long as it may be.
+LONGEST = {
+    "lengths": ("source/wear/w.cc", "\nint\nf()\n{\n" + "  f();\n" * 78 + "}\n"),
+    "includes": ("source/wear/w.cc", LONG[len("int i;\n"):]),
+}
 
 
 def write(root, name, content):
@@ -106,30 +125,29 @@ def project(root):
 
 def main():
     failures = 0
-    for check in ("documents", "format", "includes", "sources"):
+    for check in ("documents", "format", "includes", "lengths", "sources"):
         with tempfile.TemporaryDirectory() as root:
             project(root)
+            if check in LONGEST:
+                write(root, *LONGEST[check])
             result = run(check, root)
             if result.returncode != 0:
                 failures += 1
                 print(f"{check}: a correct project fails:\n{result.stdout}{result.stderr}")
 
-    # Two files that include each other are allowed by every other rule.
-    circle = ("includes", "include/tribody/base/a.h",
-              header("base", "a", "tribody/base/b.h"), 4)
-    for check, name, content, line in OFFENCES + [circle]:
+    offences = [(check, name, content, f"{name}:{line}:")
+                for check, name, content, line in OFFENCES] + [LONG_FOLDER, CIRCLE]
+    for check, name, content, place in offences:
         with tempfile.TemporaryDirectory() as root:
             project(root)
             write(root, name, content)
             result = run(check, root)
-            # A circle is reported where it closes, which may be either header.
-            place = ".h:4: headers include" if content == circle[2] else f"{name}:{line}:"
             if result.returncode != 1 or place not in result.stdout:
                 failures += 1
-                print(f"{check}: missed the offence at {name}:{line}; its output:\n"
+                print(f"{check}: missed the offence at {place} its output:\n"
                       f"{result.stdout}{result.stderr}")
 
-    print(f"{len(OFFENCES) + 1} offences tried, {failures} failures.")
+    print(f"{len(offences)} offences tried, {failures} failures.")
     sys.exit(1 if failures else 0)
 
 

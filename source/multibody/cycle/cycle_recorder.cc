@@ -72,25 +72,9 @@ namespace Tribody
                           const MechanismState    &state,
                           const EquationsOfMotion &present)
     {
-      const Mechanism &mechanism = present.mechanism();
-      Eigen::VectorXd  applied(mechanism.n_coordinates());
-      present.assemble_forces(state.time,
-                              state.q,
-                              state.v,
-                              state.approach_speeds,
-                              state.friction_states,
-                              applied);
       // Not the multipliers of the integrator: those are outside its error
       // test. These are exact for the given q and v.
-      record(k,
-             state,
-             compute_accelerations(present,
-                                   state.time,
-                                   ConstraintOffsets(mechanism.n_constraints()),
-                                   state.q,
-                                   state.v,
-                                   applied),
-             present);
+      record(k, state, compute_accelerations(present, state), present);
     }
 
 

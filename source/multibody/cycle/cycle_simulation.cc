@@ -9,6 +9,7 @@
 #include <tribody/multibody/motion/intermittent_motion.h>
 #include <tribody/multibody/motion/slow_motion_start.h>
 #include <tribody/multibody/motion/static_equilibrium.h>
+#include <tribody/multibody/system/assembly_checks.h>
 #include <tribody/multibody/system/kinematics.h>
 
 #include <algorithm>

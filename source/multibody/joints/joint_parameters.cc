@@ -61,7 +61,7 @@ namespace Tribody
 
 
       void
-      add_contact(dealii::ParameterHandler &prm, JointParameters &p)
+      add_contact_law(dealii::ParameterHandler &prm, JointParameters &p)
       {
         Parameters::add_choice(
           prm,
@@ -91,6 +91,13 @@ namespace Tribody
           "the direction of the pin's eccentricity e, delta = |e| - c, and "
           "that direction (eq. 28 of Mukras et al., 2010). As long as pin and "
           "bore are round they are the same.");
+      }
+
+
+
+      void
+      add_contact_constants(dealii::ParameterHandler &prm, JointParameters &p)
+      {
         Parameters::add_quantity(
           prm,
           "Restitution coefficient",
@@ -136,6 +143,13 @@ namespace Tribody
           "bushing's material which is bonded to its back, (1 - nu) E/((1 + "
           "nu) (1 - 2 nu)).",
           "GPa");
+      }
+
+
+
+      void
+      add_approach_speeds(dealii::ParameterHandler &prm, JointParameters &p)
+      {
         Parameters::add_quantity(
           prm,
           "Capture speed",
@@ -300,7 +314,9 @@ namespace Tribody
                              "both may turn. Entries that belong to other "
                              "types are ignored.");
       add_markers_and_radii(prm, *this);
-      add_contact(prm, *this);
+      add_contact_law(prm, *this);
+      add_contact_constants(prm, *this);
+      add_approach_speeds(prm, *this);
       add_friction(prm, *this);
       add_further_friction(prm, *this);
       add_other_types(prm, *this);

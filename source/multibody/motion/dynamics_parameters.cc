@@ -9,94 +9,131 @@ namespace Tribody
 {
   namespace Multibody
   {
+    namespace
+    {
+      // One function per group of entries, in the order of the manual.
+      void
+      add_analysis(dealii::ParameterHandler &prm, DynamicsParameters &p)
+      {
+        Parameters::add_choice(
+          prm,
+          "Analysis",
+          p.analysis,
+          "'kinematic': positions, velocities and accelerations from joints "
+          "and "
+          "drivers alone; no forces, masses are not used. 'inverse dynamics': "
+          "the "
+          "same, and the reactions of joints and drivers in that motion. Both "
+          "need drivers for all degrees of freedom and no clearance. "
+          "'dynamic': "
+          "the equations of motion are integrated. 'static equilibrium': "
+          "positions in which gravity, springs, forces and contacts balance, "
+          "at "
+          "each sample with the drivers where they are then. 'automatic': "
+          "inverse dynamics without degrees of freedom, dynamic otherwise.");
+        Parameters::add_quantity(
+          prm,
+          "Cycle duration",
+          p.cycle_duration,
+          "s",
+          "Time of one recorded cycle. 0 s: one turn of the first driver. It "
+          "must be set where no driver turns; a static equilibrium without "
+          "drivers needs none.");
+      }
+
+
+
+      void
+      add_integration(dealii::ParameterHandler &prm, DynamicsParameters &p)
+      {
+        Parameters::add_quantity(
+          prm,
+          "Accuracy",
+          p.accuracy,
+          "",
+          "Local error allowed in one integration step, relative to the "
+          "expected penetration of a joint with clearance (if there is none, "
+          "1e-4 of the mechanism's size, and for velocities that in the time "
+          "of a cycle over 2 pi). 3e-4 gives joint forces to better than 0.1 "
+          "%. "
+          "If the clearance of a joint is more than ten penetrations, so that "
+          "its pin strikes, a tenth of this is allowed: every impact "
+          "multiplies "
+          "errors.");
+        Parameters::add_integer(
+          prm,
+          "Maximum order",
+          p.maximum_order,
+          "Highest order of the BDF method. 0 takes 2 for mechanisms with a "
+          "joint whose clearance is less than ten penetrations and 5 for "
+          "others: "
+          "orders above 2 are unstable for the lightly damped vibration of "
+          "such "
+          "a joint.",
+          0,
+          5);
+      }
+
+
+
+      void
+      add_settling(dealii::ParameterHandler &prm, DynamicsParameters &p)
+      {
+        Parameters::add_integer(prm,
+                                "Samples per cycle",
+                                p.samples_per_cycle,
+                                "Number of equal time steps at which a duty "
+                                "cycle is recorded.",
+                                8,
+                                100000);
+        Parameters::add_quantity(
+          prm,
+          "Settling tolerance",
+          p.settling_tolerance,
+          "",
+          "A motion counts as settled when the joint forces differ from those "
+          "of the cycle before by less than this part of the largest force.");
+        Parameters::add_integer(
+          prm,
+          "Maximum settling cycles",
+          p.maximum_settling_cycles,
+          "Cycles that are run before the last one is "
+          "recorded although the motion does not repeat; "
+          "the report says so. 0 records the first cycle, "
+          "from the start, whether it repeats or not.",
+          0,
+          100000);
+        Parameters::add_integer(
+          prm,
+          "Averaged cycles",
+          p.averaged_cycles,
+          "If the motion does not repeat within the settling tolerance: number "
+          "of cycles that are recorded after that. All their samples make up "
+          "the "
+          "duty cycle, each with its share of one cycle's sliding; means are "
+          "over "
+          "all of them, and their scatter from cycle to cycle is reported. 1 "
+          "takes the last cycle as it is.",
+          1,
+          10000);
+        Parameters::add_integer(prm,
+                                "Maximum steps per cycle",
+                                p.maximum_steps_per_cycle,
+                                "Integration steps in one cycle after which "
+                                "the run stops with an error.",
+                                100,
+                                2000000000);
+      }
+    } // namespace
+
+
+
     void
     DynamicsParameters::add_parameters(dealii::ParameterHandler &prm)
     {
-      Parameters::add_choice(
-        prm,
-        "Analysis",
-        analysis,
-        "'kinematic': positions, velocities and accelerations from joints and "
-        "drivers alone; no forces, masses are not used. 'inverse dynamics': "
-        "the "
-        "same, and the reactions of joints and drivers in that motion. Both "
-        "need drivers for all degrees of freedom and no clearance. 'dynamic': "
-        "the equations of motion are integrated. 'static equilibrium': "
-        "positions in which gravity, springs, forces and contacts balance, at "
-        "each sample with the drivers where they are then. 'automatic': "
-        "inverse dynamics without degrees of freedom, dynamic otherwise.");
-      Parameters::add_quantity(
-        prm,
-        "Cycle duration",
-        cycle_duration,
-        "s",
-        "Time of one recorded cycle. 0 s: one turn of the first driver. It "
-        "must be set where no driver turns; a static equilibrium without "
-        "drivers needs none.");
-      Parameters::add_quantity(
-        prm,
-        "Accuracy",
-        accuracy,
-        "",
-        "Local error allowed in one integration step, relative to the "
-        "expected penetration of a joint with clearance (if there is none, "
-        "1e-4 of the mechanism's size, and for velocities that in the time "
-        "of a cycle over 2 pi). 3e-4 gives joint forces to better than 0.1 %. "
-        "If the clearance of a joint is more than ten penetrations, so that "
-        "its pin strikes, a tenth of this is allowed: every impact multiplies "
-        "errors.");
-      Parameters::add_integer(
-        prm,
-        "Maximum order",
-        maximum_order,
-        "Highest order of the BDF method. 0 takes 2 for mechanisms with a "
-        "joint whose clearance is less than ten penetrations and 5 for others: "
-        "orders above 2 are unstable for the lightly damped vibration of such "
-        "a joint.",
-        0,
-        5);
-      Parameters::add_integer(prm,
-                              "Samples per cycle",
-                              samples_per_cycle,
-                              "Number of equal time steps at which a duty "
-                              "cycle is recorded.",
-                              8,
-                              100000);
-      Parameters::add_quantity(
-        prm,
-        "Settling tolerance",
-        settling_tolerance,
-        "",
-        "A motion counts as settled when the joint forces differ from those "
-        "of the cycle before by less than this part of the largest force.");
-      Parameters::add_integer(prm,
-                              "Maximum settling cycles",
-                              maximum_settling_cycles,
-                              "Cycles that are run before the last one is "
-                              "recorded although the motion does not repeat; "
-                              "the report says so. 0 records the first cycle, "
-                              "from the start, whether it repeats or not.",
-                              0,
-                              100000);
-      Parameters::add_integer(
-        prm,
-        "Averaged cycles",
-        averaged_cycles,
-        "If the motion does not repeat within the settling tolerance: number "
-        "of cycles that are recorded after that. All their samples make up the "
-        "duty cycle, each with its share of one cycle's sliding; means are "
-        "over "
-        "all of them, and their scatter from cycle to cycle is reported. 1 "
-        "takes the last cycle as it is.",
-        1,
-        10000);
-      Parameters::add_integer(prm,
-                              "Maximum steps per cycle",
-                              maximum_steps_per_cycle,
-                              "Integration steps in one cycle after which "
-                              "the run stops with an error.",
-                              100,
-                              2000000000);
+      add_analysis(prm, *this);
+      add_integration(prm, *this);
+      add_settling(prm, *this);
       Parameters::add_choice(
         prm,
         "Start",

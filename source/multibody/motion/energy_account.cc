@@ -106,23 +106,11 @@ namespace Tribody
       const Mechanism   &mechanism = equations->mechanism();
       const unsigned int m         = mechanism.n_constraints();
       Eigen::VectorXd    result    = Eigen::VectorXd::Zero(exchanged.size());
-      Eigen::VectorXd    forces(mechanism.n_coordinates());
       Eigen::VectorXd    phi_t(m), phi_tt(m);
-      equations->assemble_forces(state.time,
-                                 state.q,
-                                 state.v,
-                                 state.approach_speeds,
-                                 state.friction_states,
-                                 forces);
       equations->assemble_time_derivatives(state.time, phi_t, phi_tt);
       // -v^T Phi_q^T lambda, with Phi_q v = -Phi_t.
-      result(driver_work) = compute_accelerations(*equations,
-                                                  state.time,
-                                                  ConstraintOffsets(m),
-                                                  state.q,
-                                                  state.v,
-                                                  forces)
-                              .multipliers.dot(phi_t);
+      result(driver_work) =
+        compute_accelerations(*equations, state).multipliers.dot(phi_t);
       result(force_work) = compute_applied_power(state);
       for (const Spring &spring : mechanism.springs())
         result(damper_loss) += damper_power(spring, state);

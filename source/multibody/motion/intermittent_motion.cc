@@ -29,27 +29,6 @@ namespace Tribody
         return result.transpose();
       }
 
-
-
-      Accelerations
-      accelerations_in(const EquationsOfMotion &equations,
-                       const MechanismState    &state)
-      {
-        Eigen::VectorXd forces(state.q.size());
-        equations.assemble_forces(state.time,
-                                  state.q,
-                                  state.v,
-                                  state.approach_speeds,
-                                  state.friction_states,
-                                  forces);
-        return compute_accelerations(equations,
-                                     state.time,
-                                     ConstraintOffsets(
-                                       equations.mechanism().n_constraints()),
-                                     state.q,
-                                     state.v,
-                                     forces);
-      }
     } // namespace
 
 
@@ -149,7 +128,8 @@ namespace Tribody
             if (combination[k])
               {
                 if (multipliers.size() == 0)
-                  multipliers = accelerations_in(in_mode, state).multipliers;
+                  multipliers =
+                    compute_accelerations(in_mode, state).multipliers;
                 const double force =
                   multipliers(in_mode.mechanism().impact_joints()[k].first_row);
                 if (force < smallest)
@@ -345,7 +325,7 @@ namespace Tribody
               pin.compute_penetration(q) < -1e-6 * pin.link->length)
             continue;
           if (a.size() == 0)
-            a = accelerations_in(in_mode, state).a;
+            a = compute_accelerations(in_mode, state).a;
           const double back =
             normal * bodies.gather(a) +
             v.dot(pin.link->weighted_hessian(q, Constraint::Values::UnitX()) *

@@ -156,21 +156,6 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    MotionIntegrator::exact_multipliers(
-      const double                                 t,
-      const Sundials::ImplicitSystem::ConstVector &y)
-    {
-      const Eigen::VectorXd q = y.head(n), v = y.segment(n, n);
-      equations.assemble_forces(
-        t, q, v, current.approach_speeds, y.tail(n_states), forces);
-      return compute_accelerations(
-               equations, t, ConstraintOffsets(m), q, v, forces)
-        .multipliers;
-    }
-
-
-
     void
     MotionIntegrator::evaluate_roots(
       const double                                 t,
@@ -211,7 +196,8 @@ namespace Tribody
           if (joint.is_following)
             {
               if (multipliers.size() == 0)
-                multipliers = exact_multipliers(t, y);
+                multipliers =
+                  compute_accelerations(equations, state_of(t, y)).multipliers;
               value  = multipliers(joint.first_row);
               flight = not_flying;
               continue;
@@ -277,19 +263,8 @@ namespace Tribody
     void
     MotionIntegrator::restart(const double initial_step)
     {
-      equations.assemble_forces(current.time,
-                                current.q,
-                                current.v,
-                                current.approach_speeds,
-                                current.friction_states,
-                                forces);
       const Accelerations accelerations =
-        compute_accelerations(equations,
-                              current.time,
-                              ConstraintOffsets(m),
-                              current.q,
-                              current.v,
-                              forces);
+        compute_accelerations(equations, current);
       Eigen::VectorXd rates(n_states);
       equations.assemble_friction_state_rates(current.q,
                                               current.v,
@@ -311,13 +286,16 @@ namespace Tribody
 
 
 
-    void
-    MotionIntegrator::update_current(const double t, const Eigen::VectorXd &y)
+    MechanismState
+    MotionIntegrator::state_of(const double                             t,
+                               const Eigen::Ref<const Eigen::VectorXd> &y) const
     {
-      current.time            = t;
-      current.q               = y.head(n);
-      current.v               = y.segment(n, n);
-      current.friction_states = y.tail(n_states);
+      return {t,
+              y.head(n),
+              y.segment(n, n),
+              current.approach_speeds,
+              y.tail(n_states),
+              current.is_following};
     }
 
 
@@ -368,7 +346,7 @@ namespace Tribody
     void
     MotionIntegrator::take_stop()
     {
-      update_current(ida->time(), ida->solution());
+      current = state_of(ida->time(), ida->solution());
       for (auto e = the_events.rbegin();
            e != the_events.rend() && e->time == current.time;
            ++e)
@@ -465,12 +443,7 @@ namespace Tribody
     MotionIntegrator::state_at(const double t)
     {
       ida->interpolate(t, interpolated);
-      return {t,
-              interpolated.head(n),
-              interpolated.segment(n, n),
-              current.approach_speeds,
-              interpolated.tail(n_states),
-              current.is_following};
+      return state_of(t, interpolated);
     }
 
 

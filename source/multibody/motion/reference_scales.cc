@@ -277,56 +277,82 @@ namespace Tribody
 
 
 
+    namespace
+    {
+      // A penetration [m] and its speed [m/s].
+      struct Resolution
+      {
+        double length;
+        double speed;
+      };
+
+
+
+      // The finest that a joint asks for.
+      Resolution
+      find_finest(const Mechanism                   &mechanism,
+                  const std::vector<ReferenceScale> &scales,
+                  const DynamicsParameters          &parameters)
+      {
+        if (scales.empty())
+          {
+            // A part of the mechanism's size, at the pace of a cycle.
+            double cycle = 2 * dealii::numbers::PI;
+            if (parameters.cycle_duration > 0)
+              cycle = parameters.cycle_duration;
+            else if (mechanism.has_turning_driver())
+              cycle = mechanism.period();
+            const double length = 1e-4 * mechanism.size();
+            return {length, length * 2 * dealii::numbers::PI / cycle};
+          }
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Resolution       finest   = {infinity, infinity};
+        for (const ReferenceScale &scale : scales)
+          finest = {std::min(finest.length, scale.penetration),
+                    std::min(finest.speed, scale.speed)};
+        return finest;
+      }
+
+
+
+      // The finest that a joint of @p body asks for; @p otherwise if there is
+      // none.
+      Resolution
+      find_finest_of(const int                          body,
+                     const std::vector<ReferenceScale> &scales,
+                     const Resolution                  &otherwise)
+      {
+        bool       is_first = true;
+        Resolution finest   = otherwise;
+        for (const ReferenceScale &scale : scales)
+          {
+            if (scale.bodies.first != body && scale.bodies.second != body)
+              continue;
+            finest   = is_first
+                         ? Resolution{scale.penetration, scale.speed}
+                         : Resolution{std::min(finest.length, scale.penetration),
+                                    std::min(finest.speed, scale.speed)};
+            is_first = false;
+          }
+        return finest;
+      }
+    } // namespace
+
+
+
     MotionTolerances
     make_tolerances(const Mechanism                   &mechanism,
                     const std::vector<ReferenceScale> &scales,
                     const DynamicsParameters          &parameters)
     {
-      const unsigned int n_bodies = mechanism.parameters().bodies.size();
-      double             shortest = std::numeric_limits<double>::infinity();
-      double             slowest = shortest, fastest = 0.;
-      for (const ReferenceScale &scale : scales)
-        {
-          shortest = std::min(shortest, scale.penetration);
-          slowest  = std::min(slowest, scale.speed);
-          fastest  = std::max(fastest, scale.frequency);
-        }
-      if (scales.empty())
-        {
-          // A part of the mechanism's size, at the pace of a cycle.
-          double cycle = 2 * dealii::numbers::PI;
-          if (parameters.cycle_duration > 0)
-            cycle = parameters.cycle_duration;
-          else if (mechanism.has_turning_driver())
-            cycle = mechanism.period();
-          shortest = 1e-4 * mechanism.size();
-          slowest  = shortest * 2 * dealii::numbers::PI / cycle;
-        }
-
+      const Resolution finest = find_finest(mechanism, scales, parameters);
       MotionTolerances tolerances;
       tolerances.positions.resize(mechanism.n_coordinates());
       tolerances.velocities.resize(mechanism.n_coordinates());
-      for (unsigned int i = 0; i < n_bodies; ++i)
+      for (unsigned int i = 0; i < mechanism.parameters().bodies.size(); ++i)
         {
-          double length = 0., speed = 0.;
-          for (unsigned int j = 0; j < scales.size(); ++j)
-            {
-              const BodyPair &bodies = scales[j].bodies;
-              if (bodies.first != static_cast<int>(i) &&
-                  bodies.second != static_cast<int>(i))
-                continue;
-              const bool is_first = (length == 0);
-              length              = is_first ? scales[j].penetration
-                                             : std::min(length, scales[j].penetration);
-              speed =
-                is_first ? scales[j].speed : std::min(speed, scales[j].speed);
-            }
-          if (length == 0)
-            {
-              length = shortest;
-              speed  = slowest;
-            }
-          double lever = 0.;
+          const auto [length, speed] = find_finest_of(i, scales, finest);
+          double lever               = 0.;
           for (const auto &[name, p] : mechanism.parameters().bodies[i].markers)
             lever = std::max(lever, p.norm());
           if (lever == 0)
@@ -358,6 +384,9 @@ namespace Tribody
       // At the start and after an impact BDF is of first order: its error is
       // half the second derivative, of the size of penetration times frequency
       // squared, times the square of the step.
+      double fastest = 0.;
+      for (const ReferenceScale &scale : scales)
+        fastest = std::max(fastest, scale.frequency);
       if (!scales.empty())
         tolerances.initial_step = 0.5 * std::sqrt(accuracy) / fastest;
       return tolerances;

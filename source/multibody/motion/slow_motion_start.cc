@@ -307,13 +307,12 @@ namespace Tribody
                       const MechanismState    &state,
                       const ConstraintOffsets &none)
       {
-        const Eigen::VectorXd v =
-          compute_velocities(closed, state.time, none, state.q);
-        Eigen::VectorXd forces(state.q.size());
-        closed.assemble_forces(state.time, state.q, v, {}, forces);
-        return compute_accelerations(
-                 closed, state.time, none, state.q, v, forces)
-          .multipliers;
+        const MechanismState slow = {
+          state.time,
+          state.q,
+          compute_velocities(closed, state.time, none, state.q),
+          {}};
+        return compute_accelerations(closed, slow).multipliers;
       }
 
 

@@ -177,11 +177,6 @@ namespace Tribody
                      const Sundials::ImplicitSystem::ConstVector &y,
                      double                                      *values);
 
-      // Reactions that belong exactly to positions and velocities.
-      Eigen::VectorXd
-      exact_multipliers(const double                                 t,
-                        const Sundials::ImplicitSystem::ConstVector &y);
-
       // Start IDA at `current`, with accelerations from the exact equations.
       void
       restart(const double initial_step = 0.);
@@ -195,9 +190,10 @@ namespace Tribody
       std::string
       describe_deepest_contact() const;
 
-      // Take over a state.
-      void
-      update_current(const double t, const Eigen::VectorXd &y);
+      // What the unknowns of IDA say.
+      MechanismState
+      state_of(const double                             t,
+               const Eigen::Ref<const Eigen::VectorXd> &y) const;
 
       // After a step: note drift and events; make a contact onset pending.
       void
