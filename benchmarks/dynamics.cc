@@ -208,12 +208,12 @@ describe(const Case &benchmark)
     if (j.is_revolute())
       {
         json joint = {{"name", j.name},
-                      {"type", j.has_clearance() ? "clearance" : "revolute"},
+                      {"type", j.has_contact_law() ? "clearance" : "revolute"},
                       {"pin", marker(j.pin_marker)},
                       {"bushing", marker(j.bushing_marker)}};
-        if (j.has_clearance())
+        if (j.has_contact_law())
           joint["contact"] = {{"pin_radius", j.pin_radius},
-                              {"clearance", j.bushing_radius - j.pin_radius},
+                              {"clearance", j.clearance()},
                               {"stiffness",
                                compute_hertz_stiffness(j.pin_radius,
                                                        j.bushing_radius,
@@ -249,7 +249,7 @@ describe(const Case &benchmark)
   const Mechanism closed_mechanism(with_ideal_joints(benchmark.mechanism));
   const EquationsOfMotion closed(closed_mechanism, {});
   StartingState           start = compute_centred_start(equations, closed, 0.);
-  if (benchmark.dynamics.start == "slow motion" &&
+  if (benchmark.dynamics.start == MotionStart::slow_motion &&
       !mechanism.clearance_joints().empty())
     start = compute_slow_motion_start(equations,
                                       closed,

@@ -10,6 +10,7 @@
 #include <tribody/run/command_line.h>
 
 #include <exception>
+#include <iostream>
 
 int
 main(int argc, char **argv)
@@ -24,7 +25,7 @@ main(int argc, char **argv)
 
   try
     {
-      Console console(is_first_rank);
+      Console console(std::cout, is_first_rank);
       return Coupling::run_command_line({argv + 1, argv + argc},
                                         console,
                                         MPI_COMM_WORLD);

@@ -8,19 +8,19 @@
 #include <tribody/base/exceptions.h>
 
 #include <fstream>
-#include <iostream>
 
 namespace Tribody
 {
-  Console::Console(const bool is_first_rank)
-    : writes(is_first_rank)
+  Console::Console(std::ostream &screen, const bool is_first_rank)
+    : screen(screen)
+    , writes(is_first_rank)
   {
     if (writes)
       {
         // Each line is to be seen at once, in a pipe too.
-        std::cout << std::unitbuf;
+        screen << std::unitbuf;
         stream.push(boost::iostreams::tee(said_before_log));
-        stream.push(std::cout);
+        stream.push(screen);
       }
     else
       stream.push(boost::iostreams::null_sink());
@@ -44,6 +44,6 @@ namespace Tribody
     stream.reset();
     stream.push(boost::iostreams::tee(
       boost::iostreams::file_sink(file_name, std::ios_base::app)));
-    stream.push(std::cout);
+    stream.push(screen);
   }
 } // namespace Tribody

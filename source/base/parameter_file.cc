@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <numeric>
 #include <sstream>
 
@@ -107,31 +106,25 @@ namespace Tribody
 
     // "Body crank" is valid once "crank" stands in the list "Bodies".
     std::string
-    list_hint(const std::string &subsection)
+    list_hint(const std::string               &subsection,
+              const ParameterFile::NamedLists &lists)
     {
-      const std::string kind = subsection.substr(0, subsection.find(' '));
-      const std::map<std::string, std::string> lists = {{"Body", "Bodies"},
-                                                        {"Joint", "Joints"},
-                                                        {"Spring", "Springs"},
-                                                        {"Driver", "Drivers"},
-                                                        {"Bushing", "Bushings"},
-                                                        {"Material",
-                                                         "Materials"}};
-      const auto                               list  = lists.find(kind);
-      if (list == lists.end() || kind == subsection)
-        return "";
-      return " (a name must stand in 'set " + list->second +
-             " = ...' before it has a subsection)";
+      for (const auto &[kind, list] : lists)
+        if (boost::algorithm::starts_with(subsection, kind + " "))
+          return " (a name must stand in 'set " + list +
+                 " = ...' before it has a subsection)";
+      return "";
     }
 
 
 
     // Throw ExcInput unless the assignment's place exists in the tree.
     void
-    check_declared(const nlohmann::json           &tree,
-                   const std::vector<std::string> &subsections,
-                   const std::string              &name,
-                   const std::string              &location)
+    check_declared(const nlohmann::json            &tree,
+                   const ParameterFile::NamedLists &lists,
+                   const std::vector<std::string>  &subsections,
+                   const std::string               &name,
+                   const std::string               &location)
     {
       const nlohmann::json *level = &tree;
       std::string           where = "the top level";
@@ -142,7 +135,7 @@ namespace Tribody
                       ExcInput(location + ": there is no subsection '" +
                                subsection + "' in " + where + "; " +
                                suggestion(subsection, keys(*level, true)) +
-                               list_hint(subsection)));
+                               list_hint(subsection, lists)));
           level = &*next;
           where = "subsection '" + subsection + "'";
         }
@@ -319,12 +312,14 @@ namespace Tribody
 
 
   void
-  ParameterFile::apply(dealii::ParameterHandler &prm) const
+  ParameterFile::apply(dealii::ParameterHandler &prm,
+                       const NamedLists         &lists) const
   {
     const nlohmann::json tree = declared_tree(prm);
     for (const Assignment &assignment : assignments)
       {
         check_declared(tree,
+                       lists,
                        assignment.subsections,
                        assignment.name,
                        assignment.location);

@@ -170,24 +170,19 @@ namespace Tribody
 
 
   void
-  Parameters::add_choice(dealii::ParameterHandler       &prm,
-                         const std::string              &name,
-                         std::string                    &value,
-                         const std::vector<std::string> &choices,
-                         const std::string              &documentation)
+  Parameters::add_word(dealii::ParameterHandler       &prm,
+                       const std::string              &name,
+                       const std::string              &default_word,
+                       const std::vector<std::string> &words,
+                       const std::string              &documentation,
+                       const std::function<void(const std::string &)> &action)
   {
     prm.declare_entry(name,
-                      value,
+                      default_word,
                       dealii::Patterns::Anything(),
                       documentation + " One of: " +
-                        boost::algorithm::join(choices, " | ") + ".");
-    prm.add_action(name, [&value, choices](const std::string &text) {
-      AssertThrow(std::find(choices.begin(), choices.end(), text) !=
-                    choices.end(),
-                  ExcInput("'" + text + "' is not one of: " +
-                           boost::algorithm::join(choices, " | ")));
-      value = text;
-    });
+                        boost::algorithm::join(words, " | ") + ".");
+    prm.add_action(name, action);
   }
 
 

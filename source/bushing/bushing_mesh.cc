@@ -65,7 +65,7 @@ namespace Tribody
     {
       // Every rank has all of it: it is small enough for the direct solver.
       BushingParameters coarse = parameters;
-      coarse.stiffness_solver  = "direct";
+      coarse.stiffness_solver  = StiffnessSolver::direct;
       if (parameters.mesh_file.is_given())
         {
           if (parameters.mesh_file.n_refinements == 0)

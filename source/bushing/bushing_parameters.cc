@@ -37,14 +37,12 @@ namespace Tribody
         prm,
         "Plane state",
         plane_state,
-        {"plane strain", "plane stress"},
         "Plane strain for a bushing that is long, or held, "
         "along its axis; plane stress for a thin one.");
       Parameters::add_choice(
         prm,
         "Pressure model",
         pressure_model,
-        {"finite element", "infinite plate", "Winkler layer"},
         "How the bushing gives way to the pin: 'finite element' is the meshed "
         "ring; 'infinite plate' the hole in a plate without an end (with an "
         "elastic pin of the same material: Persson's closed form), in which "
@@ -57,7 +55,6 @@ namespace Tribody
         prm,
         "Pin",
         pin,
-        {"automatic", "rigid", "elastic"},
         "Whether the pin deforms in the contact: 'elastic' gives it the "
         "elasticity of a disc of the joint's pin material; 'automatic' does so "
         "unless its Young's modulus is more than 100 times the bushing's, and "
@@ -82,7 +79,6 @@ namespace Tribody
         prm,
         "Stiffness solver",
         stiffness_solver,
-        {"direct", "multigrid"},
         "How displacements are found from forces. 'direct': every rank has the "
         "whole mesh and factorises its stiffness, the fastest as long as that "
         "fits its memory. 'multigrid': the ranks share the cells, and "
@@ -135,35 +131,16 @@ namespace Tribody
                                "m",
                                "s_0: sliding distance over which running-in "
                                "fades; 0: no running-in.");
-      Parameters::add_quantity(prm,
-                               "Stop at maximum depth",
-                               limits.max_depth,
-                               "m",
-                               "The run ends when the wear of bushing or pin "
-                               "is this deep somewhere; 0: never.",
-                               "mm");
-      Parameters::add_quantity(prm,
-                               "Stop at clearance",
-                               limits.clearance,
-                               "m",
-                               "The run ends when the clearance between pin "
-                               "and bore has this value somewhere, both worn "
-                               "and where both are deepest; 0: never.",
-                               "mm");
-      Parameters::add_quantity(prm,
-                               "Stop at worn volume",
-                               limits.volume,
-                               "m^3",
-                               "The run ends when this volume is worn away "
-                               "from bushing and pin together; 0: never.",
-                               "mm^3");
-      Parameters::add_quantity(prm,
-                               "Stop at worn mass",
-                               limits.mass,
-                               "kg",
-                               "The run ends when this mass is worn away from "
-                               "bushing and pin together; 0: never.",
-                               "g");
+      for (std::size_t i = 0; i < limits.size(); ++i)
+        {
+          const JointLimit &limit = joint_limits()[i];
+          Parameters::add_quantity(prm,
+                                   limit.parameter(),
+                                   limits[i],
+                                   limit.si_unit,
+                                   limit.documentation,
+                                   limit.shown_unit);
+        }
       Parameters::add_text(prm,
                            "Comparison source",
                            comparison.source,
@@ -236,19 +213,37 @@ namespace Tribody
       // They name the parameter if it cannot be understood.
       wear_law();
       pin_wear_law();
-      for (const auto &[limit, name_of_limit] :
-           {std::make_pair(limits.max_depth, "Stop at maximum depth"),
-            std::make_pair(limits.clearance, "Stop at clearance"),
-            std::make_pair(limits.volume, "Stop at worn volume"),
-            std::make_pair(limits.mass, "Stop at worn mass")})
-        AssertThrow(limit >= 0.,
-                    ExcParameter(path + name_of_limit,
-                                 "must not be negative; 0 means no limit"));
+      check_limits(joint);
       rim_support.check("Bushing " + name);
       check_housing(joint);
       mesh.check(path + "Mesh");
       check_mesh(joint);
       contact_solver.check(path + "Contact solver");
+    }
+
+
+
+    void
+    BushingParameters::check_limits(
+      const Multibody::JointParameters &joint) const
+    {
+      for (std::size_t i = 0; i < limits.size(); ++i)
+        {
+          const JointLimit &limit  = joint_limits()[i];
+          const double      unworn = limit.unworn_value(joint);
+          AssertThrow(limits[i] >= 0.,
+                      ExcParameter("Bushing " + name + "/" + limit.parameter(),
+                                   "must not be negative; 0 means no limit"));
+          AssertThrow(
+            limits[i] == 0. || limits[i] > unworn,
+            ExcParameter(
+              "Bushing " + name + "/" + limit.parameter(),
+              Units::to_string(limits[i], limit.si_unit, limit.shown_unit) +
+                " is passed before any wear: the " + limit.quantity +
+                " of the new joint is " +
+                Units::to_string(unworn, limit.si_unit, limit.shown_unit) +
+                ". Set a larger limit, or 0 for none"));
+        }
     }
 
 
@@ -266,17 +261,17 @@ namespace Tribody
                      "'housing' needs a rim that is a circle around "
                      "the bore, without 'Outer centre', 'Outer shape' "
                      "or a mesh file"));
-      AssertThrow(pressure_model == "finite element",
+      AssertThrow(pressure_model == PressureModel::finite_element,
                   ExcParameter(parameter,
                                "'housing' needs 'Pressure model = finite "
                                "element', but it is '" +
-                                 pressure_model +
+                                 name_of(pressure_model) +
                                  "', which knows nothing of the rim"));
-      AssertThrow(stiffness_solver == "direct",
+      AssertThrow(stiffness_solver == StiffnessSolver::direct,
                   ExcParameter(parameter,
                                "'housing' needs 'Stiffness solver = direct', "
                                "but it is '" +
-                                 stiffness_solver + "'"));
+                                 name_of(stiffness_solver) + "'"));
       AssertThrow(!joint.needs_support(),
                   ExcParameter(parameter,
                                "'housing' cannot be combined with the contact "
@@ -351,10 +346,12 @@ namespace Tribody
                                      const std::string &factor,
                                      const std::string &parameter) const
     {
-      Wear::WearLaw law{{coefficient}, {}};
-      if (factor != "1")
-        law.factors.emplace_back(
-          Wear::FactorExpression("Bushing " + name + "/" + parameter, factor));
+      Wear::WearLaw                law{{coefficient}, {}};
+      const Wear::FactorExpression expression("Bushing " + name + "/" +
+                                                parameter,
+                                              factor);
+      if (!expression.is_one())
+        law.factors.emplace_back(expression);
       if (running_in_factor != 1. && running_in_distance > 0.)
         law.factors.emplace_back(
           Wear::RunningIn{running_in_factor, running_in_distance});
@@ -367,8 +364,8 @@ namespace Tribody
     BushingParameters::pin_is_elastic(
       const Multibody::JointParameters &joint) const
     {
-      return pin == "elastic" ||
-             (pin == "automatic" &&
+      return pin == PinModel::elastic ||
+             (pin == PinModel::automatic &&
               joint.pin_material.youngs_modulus <=
                 100. * joint.bushing_material.youngs_modulus);
     }

@@ -26,15 +26,6 @@ namespace Tribody
   {
     namespace
     {
-      Elasticity::PlaneState
-      plane_state(const std::string &name)
-      {
-        return name == "plane stress" ? Elasticity::PlaneState::stress
-                                      : Elasticity::PlaneState::strain;
-      }
-
-
-
       // Cells around the bore, if all were as narrow as the narrowest.
       unsigned int
       finest_bore_cells(const BoreNodes &nodes)
@@ -68,7 +59,7 @@ namespace Tribody
       , elasticity(*triangulation,
                    parameters.element_degree,
                    joint.bushing_material,
-                   plane_state(parameters.plane_state),
+                   parameters.plane_state,
                    parameters.rim_support)
       , depth(Eigen::VectorXd::Zero(geometry.bore_nodes().n_nodes()))
       , surface(make_bore_surface(geometry.bore_nodes().positions,
@@ -80,7 +71,7 @@ namespace Tribody
                            outer_radius + parameters.rim_support.housing_gap};
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
-      if (pressure_model == "infinite plate")
+      if (pressure_model == PressureModel::infinite_plate)
         plate_compliance =
           Elasticity::infinite_plate_compliance(surface,
                                                 elasticity.hooke(),
@@ -105,7 +96,7 @@ namespace Tribody
       Elasticity::PinElasticity pin(mesh,
                                     parameters.element_degree,
                                     joint.pin_material,
-                                    plane_state(parameters.plane_state));
+                                    parameters.plane_state);
       pin.reinit(dealii::MappingQ<2>(parameters.element_degree));
       pin_surface = make_bore_surface(pin.surface_nodes().positions,
                                       parameters.element_degree);
@@ -117,14 +108,38 @@ namespace Tribody
 
 
     void
-    ElasticJoint::update(const Wear::WearProfile &profile)
+    ElasticJoint::take_shape(const Wear::WearProfile &profile)
     {
       geometry.update(profile.depth);
       depth   = profile.depth;
       surface = profile.surface();
+    }
+
+
+
+    void
+    ElasticJoint::update(const Wear::WearProfile &profile)
+    {
+      take_shape(profile);
       if ((depth - depth_at_compliance).lpNorm<Eigen::Infinity>() >
           allowed_change)
         update_compliance();
+    }
+
+
+
+    void
+    ElasticJoint::restore(const Wear::WearProfile &profile,
+                          const Eigen::VectorXd   &compliance_depth)
+    {
+      if (compliance_depth != depth_at_compliance)
+        {
+          Wear::WearProfile before = profile;
+          before.depth             = compliance_depth;
+          take_shape(before);
+          update_compliance();
+        }
+      take_shape(profile);
     }
 
 
@@ -143,7 +158,6 @@ namespace Tribody
         }
       joint_compliance    = std::move(C);
       depth_at_compliance = depth;
-      ++n_builds;
     }
 
 
@@ -151,9 +165,9 @@ namespace Tribody
     Eigen::MatrixXd
     ElasticJoint::bushing_compliance() const
     {
-      if (pressure_model == "infinite plate")
+      if (pressure_model == PressureModel::infinite_plate)
         return plate_compliance;
-      if (pressure_model == "Winkler layer")
+      if (pressure_model == PressureModel::winkler_layer)
         return Elasticity::winkler_compliance(surface,
                                               elasticity.hooke(),
                                               outer_radius);

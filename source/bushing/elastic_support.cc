@@ -12,7 +12,7 @@ namespace Tribody
     ElasticSupport::ElasticSupport(const ElasticJoint      &joint,
                                    const BushingParameters &parameters,
                                    const double             pin_radius,
-                                   const ClearanceProfile  &pin_wear)
+                                   const PeriodicProfile   &pin_wear)
       : name(parameters.name)
       , axial_length(parameters.axial_length)
       , pin_wear(pin_wear)
@@ -39,9 +39,9 @@ namespace Tribody
       recess.curvature.resize(n);
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          const ClearanceProfile::Values wear =
+          const PeriodicProfile::Values wear =
             pin_wear.evaluate(facing_angles[i] - alpha);
-          recess.value[i]     = wear.clearance;
+          recess.value[i]     = wear.value;
           recess.slope[i]     = -wear.first_derivative;
           recess.curvature[i] = wear.second_derivative;
         }

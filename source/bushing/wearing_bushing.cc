@@ -111,14 +111,12 @@ namespace Tribody
 
 
     CycleContact
-    WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
-                                    const Multibody::JointDutyCycle &cycle,
-                                    const CycleContact              *similar,
-                                    const Nodes                      nodes,
-                                    const double sliding_distance) const
+    WearingBushing::face_surfaces(const Eigen::VectorXd           &depth,
+                                  const Multibody::JointDutyCycle &cycle,
+                                  const CycleContact              *similar,
+                                  const double sliding_distance) const
     {
-      Wear::WearProfile worn = wear_profile;
-      worn.depth             = surfaces().front().part_of(depth);
+      const Wear::WearProfile worn = profile_for_depth(depth);
 
       CycleContact contact;
       contact.surface         = worn.surface();
@@ -127,17 +125,38 @@ namespace Tribody
         worn.area_derivative(contact.surface);
       contact.removed_area  = Eigen::VectorXd::Zero(depth.size());
       contact.peak_pressure = Eigen::VectorXd::Zero(worn.depth.size());
-      Eigen::VectorXd pin_depth;
       if (pin)
         {
           contact.facings =
             pin->face(cycle, similar == nullptr ? nullptr : &similar->facings);
-          pin_depth                  = surfaces().back().part_of(depth);
           Wear::WearProfile worn_pin = pin->profile();
-          worn_pin.depth             = pin_depth;
-          contact.area_derivative.tail(pin_depth.size()) =
+          worn_pin.depth             = surfaces().back().part_of(depth);
+          contact.area_derivative.tail(worn_pin.depth.size()) =
             worn_pin.area_derivative(worn_pin.surface());
         }
+      contact.samples.resize(cycle.normal_force.size());
+      for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
+        contact.slidings.push_back(
+          {cycle.sliding_increment[j],
+           cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
+           sliding_distance});
+      return contact;
+    }
+
+
+
+    CycleContact
+    WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
+                                    const Multibody::JointDutyCycle &cycle,
+                                    const CycleContact              *similar,
+                                    const Nodes                      nodes,
+                                    const double sliding_distance) const
+    {
+      CycleContact contact =
+        face_surfaces(depth, cycle, similar, sliding_distance);
+      Eigen::VectorXd pin_depth;
+      if (pin)
+        pin_depth = surfaces().back().part_of(depth);
 
       Contact::ContactSolver solver(contact.surface,
                                     elastic.compliance(),
@@ -155,12 +174,6 @@ namespace Tribody
         similar != nullptr &&
         static_cast<Eigen::Index>(similar->samples.size()) == n_samples;
       const Ranks::Range own = Ranks::share(n_samples, communicator);
-      contact.samples.resize(n_samples);
-      for (Eigen::Index j = 0; j < n_samples; ++j)
-        contact.slidings.push_back(
-          {cycle.sliding_increment[j],
-           cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
-           sliding_distance});
       Ranks::run_together(communicator, [&]() {
         for (Eigen::Index j = own.begin; j < own.end; ++j)
           {
@@ -357,11 +370,20 @@ namespace Tribody
 
 
 
-    void
-    WearingBushing::set_depth(const Eigen::VectorXd &depth)
+    Wear::WearProfile
+    WearingBushing::profile_for_depth(const Eigen::VectorXd &depth) const
     {
       Wear::WearProfile worn = wear_profile;
       worn.depth             = surfaces().front().part_of(depth);
+      return worn;
+    }
+
+
+
+    void
+    WearingBushing::set_depth(const Eigen::VectorXd &depth)
+    {
+      const Wear::WearProfile worn = profile_for_depth(depth);
       elastic.update(worn);
       wear_profile = worn;
       if (pin)
@@ -370,12 +392,25 @@ namespace Tribody
 
 
 
-    ClearanceProfile
+    void
+    WearingBushing::restore(const Eigen::VectorXd &depth,
+                            const Eigen::VectorXd &depth_at_compliance)
+    {
+      const Wear::WearProfile worn = profile_for_depth(depth);
+      elastic.restore(worn, depth_at_compliance);
+      wear_profile = worn;
+      if (pin)
+        pin->set_depth(surfaces().back().part_of(depth), elastic.bore());
+    }
+
+
+
+    PeriodicProfile
     WearingBushing::clearance_profile() const
     {
-      const double unworn = joint.bushing_radius - joint.pin_radius;
-      return ClearanceProfile(node_angles(),
-                              (wear_profile.depth.array() + unworn).matrix());
+      const double unworn = joint.clearance();
+      return PeriodicProfile(node_angles(),
+                             (wear_profile.depth.array() + unworn).matrix());
     }
 
 
@@ -385,11 +420,9 @@ namespace Tribody
     {
       JointClearance surfaces{clearance_profile(), pin_wear_profile()};
       if (const double gap = parameters.rim_support.housing_gap; gap > 0.)
-        surfaces.bushing =
-          ClearanceProfile(node_angles(),
-                           (wear_profile.depth.array() +
-                            (joint.bushing_radius - joint.pin_radius + gap))
-                             .matrix());
+        surfaces.bushing = PeriodicProfile(
+          node_angles(),
+          (wear_profile.depth.array() + (joint.clearance() + gap)).matrix());
       return surfaces;
     }
 
@@ -406,11 +439,11 @@ namespace Tribody
 
 
 
-    ClearanceProfile
+    PeriodicProfile
     WearingBushing::pin_wear_profile() const
     {
-      return pin ? ClearanceProfile(pin->node_angles(), pin->profile().depth)
-                 : ClearanceProfile(0.);
+      return pin ? PeriodicProfile(pin->node_angles(), pin->profile().depth)
+                 : PeriodicProfile(0.);
     }
 
 
@@ -418,7 +451,7 @@ namespace Tribody
     double
     WearingBushing::largest_clearance(const Eigen::VectorXd &depth) const
     {
-      double clearance = joint.bushing_radius - joint.pin_radius;
+      double clearance = joint.clearance();
       for (const WearingSurface &surface : surfaces())
         clearance += surface.part_of(depth).maxCoeff();
       return clearance;

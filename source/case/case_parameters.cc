@@ -22,155 +22,130 @@ namespace Tribody
   {
     namespace
     {
-      // The lists that decide which subsections exist.
-      struct Names
+      // A list whose names have a subsection each, "Body crank".
+      struct NameList
       {
-        std::vector<std::string> bodies;
-        std::vector<std::string> joints;
-        std::vector<std::string> springs;
-        std::vector<std::string> rotational_springs;
-        std::vector<std::string> drivers;
-        std::vector<std::string> forces;
-        std::vector<std::string> torques;
-        std::vector<std::string> materials;
-        std::vector<std::string> bushings;
-
-        void
-        add_parameters(dealii::ParameterHandler &prm)
-        {
-          Parameters::add_names(prm,
-                                "Bodies",
-                                bodies,
-                                "Names of the moving bodies; each has a "
-                                "subsection 'Body <name>'. The body that does "
-                                "not move is 'ground'.");
-          Parameters::add_names(prm,
-                                "Joints",
-                                joints,
-                                "Names of the joints; each has a subsection "
-                                "'Joint <name>'.");
-          Parameters::add_names(prm,
-                                "Springs",
-                                springs,
-                                "Names of the springs; each has a subsection "
-                                "'Spring <name>'.");
-          Parameters::add_names(prm,
-                                "Rotational springs",
-                                rotational_springs,
-                                "Names of the rotational springs; each has a "
-                                "subsection 'Rotational spring <name>'.");
-          Parameters::add_names(prm,
-                                "Drivers",
-                                drivers,
-                                "Names of the drivers; each has a subsection "
-                                "'Driver <name>'. One turn of the first driver "
-                                "is a cycle, unless 'Dynamics/Cycle duration' "
-                                "is set.");
-          Parameters::add_names(prm,
-                                "Forces",
-                                forces,
-                                "Names of the given forces; each has a "
-                                "subsection 'Force <name>'.");
-          Parameters::add_names(prm,
-                                "Torques",
-                                torques,
-                                "Names of the given torques; each has a "
-                                "subsection 'Torque <name>'.");
-          Parameters::add_names(prm,
-                                "Materials",
-                                materials,
-                                "Names of the materials; each has a subsection "
-                                "'Material <name>'.");
-          Parameters::add_names(prm,
-                                "Bushings",
-                                bushings,
-                                "Names of the joints with clearance whose "
-                                "bushing deforms and wears; each has a "
-                                "subsection 'Bushing <name of the joint>'.");
-        }
+        std::string              list;
+        std::string              kind;
+        std::string              documentation;
+        std::vector<std::string> names;
       };
 
-
-
-      Names
-      read_names(const ParameterFile &file)
+      // The lists that decide which subsections exist, with the names that
+      // --print-parameters shows.
+      std::vector<NameList>
+      make_name_lists()
       {
-        const auto list = [&file](const std::string &name) {
+        return {
+          {"Bodies",
+           "Body",
+           "Names of the moving bodies; each has a subsection 'Body <name>'. "
+           "The body that does not move is 'ground'.",
+           {"body"}},
+          {"Joints",
+           "Joint",
+           "Names of the joints; each has a subsection 'Joint <name>'.",
+           {"joint"}},
+          {"Springs",
+           "Spring",
+           "Names of the springs; each has a subsection 'Spring <name>'.",
+           {"spring"}},
+          {"Rotational springs",
+           "Rotational spring",
+           "Names of the rotational springs; each has a subsection 'Rotational "
+           "spring <name>'.",
+           {"rotational_spring"}},
+          {"Drivers",
+           "Driver",
+           "Names of the drivers; each has a subsection 'Driver <name>'. One "
+           "turn of the first driver is a cycle, unless 'Dynamics/Cycle "
+           "duration' is set.",
+           {"driver"}},
+          {"Forces",
+           "Force",
+           "Names of the given forces; each has a subsection 'Force <name>'.",
+           {"force"}},
+          {"Torques",
+           "Torque",
+           "Names of the given torques; each has a subsection 'Torque <name>'.",
+           {"torque"}},
+          {"Materials",
+           "Material",
+           "Names of the materials; each has a subsection 'Material <name>'.",
+           {"steel"}},
+          {"Bushings",
+           "Bushing",
+           "Names of the joints with clearance whose bushing deforms and "
+           "wears; "
+           "each has a subsection 'Bushing <name of the joint>'.",
+           {"joint"}}};
+      }
+
+
+
+      // With the names that the file has.
+      std::vector<NameList>
+      read_name_lists(const ParameterFile &file)
+      {
+        std::vector<NameList> lists = make_name_lists();
+        for (NameList &list : lists)
           try
             {
-              return split_names(file.value(name, ""));
+              list.names = split_names(file.value(list.list, ""));
             }
           catch (const ExcInput &exception)
             {
-              throw ExcInput(file.location(name) + ": " + name + ": " +
-                             message_of(exception));
+              throw ExcInput(file.location(list.list) + ": " + list.list +
+                             ": " + message_of(exception));
             }
-        };
-        return {list("Bodies"),
-                list("Joints"),
-                list("Springs"),
-                list("Rotational springs"),
-                list("Drivers"),
-                list("Forces"),
-                list("Torques"),
-                list("Materials"),
-                list("Bushings")};
+        return lists;
       }
 
 
 
-      template <typename Entry>
-      std::vector<Entry>
-      make_named(const std::vector<std::string> &names)
+      // For messages.
+      ParameterFile::NamedLists
+      lists_of_kinds(const std::vector<NameList> &lists)
       {
-        std::vector<Entry> entries(names.size());
-        for (std::size_t i = 0; i < names.size(); ++i)
-          entries[i].name = names[i];
-        return entries;
+        ParameterFile::NamedLists result;
+        for (const NameList &list : lists)
+          result.emplace(list.kind, list.list);
+        return result;
       }
 
 
 
+      // One entry for each name in the list of @p kind.
       template <typename Entry>
       void
-      declare_each(dealii::ParameterHandler &prm,
-                   const std::string        &kind,
-                   std::vector<Entry>       &entries)
+      declare_each(dealii::ParameterHandler    &prm,
+                   const std::vector<NameList> &lists,
+                   const std::string           &kind,
+                   std::vector<Entry>          &entries)
       {
-        for (Entry &entry : entries)
+        const auto list =
+          std::find_if(lists.begin(), lists.end(), [&kind](const auto &l) {
+            return l.kind == kind;
+          });
+        Assert(list != lists.end(), dealii::ExcInternalError());
+        entries.resize(list->names.size());
+        for (std::size_t i = 0; i < entries.size(); ++i)
           {
-            prm.enter_subsection(kind + " " + entry.name);
-            entry.add_parameters(prm);
+            entries[i].name = list->names[i];
+            prm.enter_subsection(kind + " " + entries[i].name);
+            entries[i].add_parameters(prm);
             prm.leave_subsection();
           }
       }
 
 
 
-      // The handler keeps references into @p parameters and @p names.
+      // The handler keeps references into @p parameters and @p lists.
       void
       declare(dealii::ParameterHandler &prm,
               CaseParameters           &parameters,
-              Names                    &names)
+              std::vector<NameList>    &lists)
       {
-        parameters.mechanism.bodies =
-          make_named<Multibody::BodyParameters>(names.bodies);
-        parameters.mechanism.joints =
-          make_named<Multibody::JointParameters>(names.joints);
-        parameters.mechanism.springs =
-          make_named<Multibody::SpringParameters>(names.springs);
-        parameters.mechanism.rotational_springs =
-          make_named<Multibody::RotationalSpringParameters>(
-            names.rotational_springs);
-        parameters.mechanism.drivers =
-          make_named<Multibody::DriverParameters>(names.drivers);
-        parameters.mechanism.forces =
-          make_named<Multibody::ForceParameters>(names.forces);
-        parameters.mechanism.torques =
-          make_named<Multibody::TorqueParameters>(names.torques);
-        parameters.materials = make_named<Material>(names.materials);
-        parameters.bushings  = make_named<BushingParameters>(names.bushings);
-
         Parameters::add_text(prm,
                              "Title",
                              parameters.title,
@@ -182,7 +157,8 @@ namespace Tribody
                                 "the dynamics without any wear.",
                                 0,
                                 999999999);
-        names.add_parameters(prm);
+        for (NameList &list : lists)
+          Parameters::add_names(prm, list.list, list.names, list.documentation);
         Parameters::add_point(prm,
                               "Gravity",
                               parameters.mechanism.gravity,
@@ -192,17 +168,18 @@ namespace Tribody
         prm.enter_subsection("Ground");
         parameters.mechanism.ground.add_parameters(prm);
         prm.leave_subsection();
-        declare_each(prm, "Body", parameters.mechanism.bodies);
-        declare_each(prm, "Joint", parameters.mechanism.joints);
-        declare_each(prm, "Spring", parameters.mechanism.springs);
+        declare_each(prm, lists, "Body", parameters.mechanism.bodies);
+        declare_each(prm, lists, "Joint", parameters.mechanism.joints);
+        declare_each(prm, lists, "Spring", parameters.mechanism.springs);
         declare_each(prm,
+                     lists,
                      "Rotational spring",
                      parameters.mechanism.rotational_springs);
-        declare_each(prm, "Driver", parameters.mechanism.drivers);
-        declare_each(prm, "Force", parameters.mechanism.forces);
-        declare_each(prm, "Torque", parameters.mechanism.torques);
-        declare_each(prm, "Material", parameters.materials);
-        declare_each(prm, "Bushing", parameters.bushings);
+        declare_each(prm, lists, "Driver", parameters.mechanism.drivers);
+        declare_each(prm, lists, "Force", parameters.mechanism.forces);
+        declare_each(prm, lists, "Torque", parameters.mechanism.torques);
+        declare_each(prm, lists, "Material", parameters.materials);
+        declare_each(prm, lists, "Bushing", parameters.bushings);
 
         prm.enter_subsection("Dynamics");
         parameters.dynamics.add_parameters(prm);
@@ -266,7 +243,7 @@ namespace Tribody
       resolve_materials(CaseParameters &parameters)
       {
         for (Multibody::JointParameters &joint : parameters.mechanism.joints)
-          if (joint.has_clearance())
+          if (joint.has_contact_law())
             {
               const std::string path = "Joint " + joint.name + "/";
               joint.pin_material     = find_material(parameters.materials,
@@ -294,15 +271,16 @@ namespace Tribody
                                  return bushing.name == joint.name;
                                });
           };
-        const bool is_coupled = parameters.wear.scheme == "coupled";
+        const bool is_coupled = parameters.wear.scheme == WearScheme::coupled;
         AssertThrow(!is_coupled || !bushings.empty(),
                     ExcParameter("Wear/Scheme",
                                  "'coupled' is about the joints that are "
                                  "listed in 'Bushings', but there are none"));
         for (Multibody::JointParameters &joint : parameters.mechanism.joints)
           {
-            if (is_coupled && joint.has_clearance() && has_bushing(joint))
-              joint.contact_force_law = "finite element";
+            if (is_coupled && joint.has_contact_law() && has_bushing(joint))
+              joint.contact_force_law = Multibody::ContactForceLawChoice::of<
+                Multibody::FiniteElementLaw>();
             AssertThrow(
               !joint.needs_support() || has_bushing(joint),
               ExcParameter("Joint " + joint.name + "/Contact force law",
@@ -336,9 +314,9 @@ namespace Tribody
                                        "' is not the name of a revolute "
                                        "joint"));
             AssertThrow(
-              parameters.cycles == 0 || joint->has_clearance(),
+              parameters.cycles == 0 || joint->has_contact_law(),
               ExcParameter("Joint " + joint->name + "/Model",
-                           "'" + joint->model +
+                           "'" + name_of(joint->model) +
                              "' knows no contact pressure, so the bushing "
                              "cannot wear; write 'clearance', or "
                              "'set Cycles = 0' for the dynamics "
@@ -406,7 +384,7 @@ namespace Tribody
 
         // A kinematic analysis does not use masses.
         for (const auto &body : parameters.mechanism.bodies)
-          if (parameters.dynamics.analysis == "kinematic")
+          if (parameters.dynamics.analysis == Multibody::Analysis::kinematic)
             require("Body " + body.name, {"Markers"});
           else
             require("Body " + body.name,
@@ -420,7 +398,7 @@ namespace Tribody
               require(subsection, {"First marker", "Second marker"});
             if (joint.has_gap())
               require(subsection, {"Pin radius", "Bushing radius"});
-            if (joint.has_clearance())
+            if (joint.has_contact_law())
               require(subsection, {"Pin material", "Bushing material"});
           }
         for (const auto &spring : parameters.mechanism.springs)
@@ -498,10 +476,10 @@ namespace Tribody
       const ParameterFile file(file_name, overrides);
       CaseParameters      parameters;
       {
-        Names                    names = read_names(file);
+        std::vector<NameList>    lists = read_name_lists(file);
         dealii::ParameterHandler prm;
-        declare(prm, parameters, names);
-        file.apply(prm);
+        declare(prm, parameters, lists);
+        file.apply(prm, lists_of_kinds(lists));
         parameters.text = print(prm);
       }
 
@@ -533,17 +511,9 @@ namespace Tribody
     parameter_template()
     {
       CaseParameters           parameters;
-      Names                    names{{"body"},
-                  {"joint"},
-                  {"spring"},
-                  {"rotational_spring"},
-                  {"driver"},
-                  {"force"},
-                  {"torque"},
-                  {"steel"},
-                  {"joint"}};
+      std::vector<NameList>    lists = make_name_lists();
       dealii::ParameterHandler prm;
-      declare(prm, parameters, names);
+      declare(prm, parameters, lists);
       return print(prm);
     }
   } // namespace Coupling

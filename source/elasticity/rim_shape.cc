@@ -26,7 +26,6 @@ namespace Tribody
         prm,
         "Outer shape",
         kind,
-        {"circle", "ellipse"},
         "The rim: a circle of the outer radius, or an ellipse with the outer "
         "radius as its semi-axis along x of the bushing's frame.");
       Parameters::add_quantity(prm,
@@ -54,7 +53,7 @@ namespace Tribody
     {
       // Finer than any wall that could be meshed.
       constexpr unsigned int n_samples = 7200;
-      AssertThrow(kind == "circle" || second_semi_axis > inner_radius,
+      AssertThrow(kind == Kind::circle || second_semi_axis > inner_radius,
                   ExcParameter(path + "/Second semi-axis",
                                Units::to_string(second_semi_axis, "m", "mm") +
                                  " must be larger than the bushing radius of "
@@ -79,7 +78,7 @@ namespace Tribody
     dealii::Point<2>
     RimShape::point(const double outer_radius, const double t) const
     {
-      const double b = kind == "ellipse" ? second_semi_axis : outer_radius;
+      const double b = kind == Kind::ellipse ? second_semi_axis : outer_radius;
       return {centre[0] + outer_radius * std::cos(t),
               centre[1] + b * std::sin(t)};
     }

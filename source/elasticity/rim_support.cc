@@ -31,7 +31,6 @@ namespace Tribody
         prm,
         "Outer support",
         kind,
-        {"clamped", "elastic foundation", "housing"},
         "What holds the bushing at its rim. clamped: a rigid seat that it is "
         "bonded to; elastic foundation: springs spread over the rim, for a "
         "soft seat; housing: a free ring that lies in a rigid, round and "
@@ -70,7 +69,7 @@ namespace Tribody
     RimSupport::check(const std::string &path) const
     {
       AssertThrow(
-        kind != "elastic foundation" || normal_stiffness > 0.,
+        kind != Kind::elastic_foundation || normal_stiffness > 0.,
         ExcParameter(path + "/Foundation normal stiffness",
                      Units::to_string(normal_stiffness, "N/m^3", "N/m^3") +
                        " must be positive if 'Outer support' is "
@@ -92,7 +91,7 @@ namespace Tribody
                      Units::to_string(housing_gap, "m", "um") +
                        " has a meaning with 'Outer support = housing' "
                        "only, but that is '" +
-                       kind + "'"));
+                       name_of(kind) + "'"));
     }
 
 

@@ -307,7 +307,7 @@ namespace Tribody
         {
           const std::string file_name =
             directory.joint_file(joint.name, numbered("duty_cycle"));
-          if (!joint.has_clearance)
+          if (!joint.has_gap)
             {
               write_ideal_joint(file_name, cycle, joint);
               continue;

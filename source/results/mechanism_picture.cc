@@ -160,7 +160,7 @@ namespace Tribody
               MechanismPart::bushing,
               entry.bodies.second);
         }
-      else if (parameters.type != "rigid")
+      else if (parameters.type != Multibody::JointType::rigid)
         add(draw_guide(joint, s), MechanismPart::guide, entry.bodies.first);
 
       // A line without length: a point that carries the force.

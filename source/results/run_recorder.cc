@@ -11,6 +11,7 @@
 #include <tribody/results/mechanism_picture.h>
 #include <tribody/results/run_recorder.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -98,8 +99,8 @@ namespace Tribody
 
 
     void
-    RunRecorder::record(const RunState                  &state,
-                        const std::list<WearingBushing> &bushings)
+    RunRecorder::record(const RunState                   &state,
+                        const std::deque<WearingBushing> &bushings)
     {
       Ranks::run_together(communicator, [&]() {
         if (writes)
@@ -132,20 +133,24 @@ namespace Tribody
 
 
     void
-    RunRecorder::record_fields(const RunState                  &state,
-                               const std::list<WearingBushing> &bushings)
+    RunRecorder::record_fields(const RunState                   &state,
+                               const std::deque<WearingBushing> &bushings)
     {
-      if (last_output_at == state.cycles ||
-          state.contacts.size() != bushings.size())
+      const bool contacts_are_known =
+        std::none_of(state.joints.begin(),
+                     state.joints.end(),
+                     [](const JointState &joint) {
+                       return joint.contact.samples.empty();
+                     });
+      if (last_output_at == state.cycles || !contacts_are_known)
         return;
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
           std::string file_name;
           Ranks::run_together(communicator, [&]() {
-            file_name = directory.joint_file(bushing.name(), vtu_name());
+            file_name = directory.joint_file(bushings[j].name(), vtu_name());
           });
-          bushing.write_vtu(file_name, state.contacts[b++]);
+          bushings[j].write_vtu(file_name, state.joints[j].contact);
         }
       Ranks::run_together(communicator, [&]() {
         if (writes)
@@ -167,22 +172,21 @@ namespace Tribody
 
 
     void
-    RunRecorder::write_fields(const RunState                  &state,
-                              const std::list<WearingBushing> &bushings)
+    RunRecorder::write_fields(const RunState                   &state,
+                              const std::deque<WearingBushing> &bushings)
     {
       write_cycle_tables(directory,
                          parameters.mechanism,
                          state.duty_cycle,
                          n_outputs);
       write_mechanism(state.duty_cycle);
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          write_bushing(state, bushing, state.contacts[b]);
-          vtu_files[b].emplace_back(state.cycles, vtu_name());
-          Output::write_pvd(directory.joint_file(bushing.name(), "bushing.pvd"),
-                            vtu_files[b]);
-          ++b;
+          write_bushing(state, bushings[j], state.joints[j].contact);
+          vtu_files[j].emplace_back(state.cycles, vtu_name());
+          Output::write_pvd(directory.joint_file(bushings[j].name(),
+                                                 "bushing.pvd"),
+                            vtu_files[j]);
         }
     }
 
@@ -217,8 +221,8 @@ namespace Tribody
 
 
     void
-    RunRecorder::write_history_row(const RunState                  &state,
-                                   const std::list<WearingBushing> &bushings)
+    RunRecorder::write_history_row(const RunState                   &state,
+                                   const std::deque<WearingBushing> &bushings)
     {
       if (bushings.empty())
         return;
@@ -227,9 +231,9 @@ namespace Tribody
 
       std::vector<double> row = {state.cycles,
                                  static_cast<double>(state.counts.wear_steps)};
-      std::size_t         b   = 0;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
+          const WearingBushing            &bushing = bushings[j];
           const Multibody::JointDutyCycle &cycle =
             state.duty_cycle.joint(bushing.name());
           row.insert(row.end(),
@@ -237,13 +241,12 @@ namespace Tribody
                       bushing.worn_volume(),
                       cycle.peak_force(),
                       cycle.mean_normal_force(),
-                      state.contacts[b].max_pressure,
+                      state.joints[j].contact.max_pressure,
                       bushing.largest_clearance(bushing.depth()),
                       bushing.wearing_pin() != nullptr
                         ? bushing.wearing_pin()->profile().max_depth()
                         : 0.,
                       bushing.pin_worn_volume()});
-          ++b;
         }
       history->write_row(row);
     }
@@ -326,8 +329,8 @@ namespace Tribody
 
 
     void
-    RunRecorder::print_progress(const RunState                  &state,
-                                const std::list<WearingBushing> &bushings)
+    RunRecorder::print_progress(const RunState                   &state,
+                                const std::deque<WearingBushing> &bushings)
     {
       const double elapsed = seconds_since(started_at);
       const double remaining =
@@ -336,14 +339,12 @@ namespace Tribody
       std::ostringstream line;
       line << std::fixed << std::setprecision(0) << std::setw(9) << state.cycles
            << " of " << parameters.cycles << " cycles";
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          line << "   " << bushing.name() << ' ' << std::setprecision(4)
-               << bushing.profile().max_depth() * 1e3 << " mm, "
-               << std::setprecision(2) << state.contacts[b].max_pressure * 1e-6
-               << " MPa";
-          ++b;
+          line << "   " << bushings[j].name() << ' ' << std::setprecision(4)
+               << bushings[j].profile().max_depth() * 1e3 << " mm, "
+               << std::setprecision(2)
+               << state.joints[j].contact.max_pressure * 1e-6 << " MPa";
         }
       line << "   " << clock_time(elapsed) << " passed, "
            << clock_time(remaining) << " to go";

@@ -8,10 +8,10 @@
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/bushing/mesh_resolution.h>
-#include <tribody/results/run_summary.h>
+#include <tribody/results/printed_summary.h>
+#include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
 #include <tribody/run/wear_simulation.h>
-#include <tribody/stepping/make_jump.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,10 @@ namespace Tribody
       make_dynamics_parameters(const CaseParameters &parameters)
       {
         Multibody::DynamicsParameters dynamics = parameters.dynamics;
-        if (dynamics.energy_balance == "without wear")
-          dynamics.energy_balance = parameters.cycles == 0 ? "always" : "never";
+        if (dynamics.energy_balance == Multibody::EnergyBalance::without_wear)
+          dynamics.energy_balance = parameters.cycles == 0
+                                      ? Multibody::EnergyBalance::always
+                                      : Multibody::EnergyBalance::never;
         return dynamics;
       }
 
@@ -51,24 +53,23 @@ namespace Tribody
             const Multibody::JointParameters &joint =
               parameters.joint(bushing.name);
             const double gap = bushing.rim_support.housing_gap;
-            if (gap > 0. && joint.has_clearance())
+            if (gap > 0. && joint.has_contact_law())
               clearances.emplace(bushing.name,
-                                 JointClearance{ClearanceProfile(
-                                                  joint.bushing_radius -
-                                                  joint.pin_radius + gap),
-                                                ClearanceProfile(0.)});
+                                 JointClearance{PeriodicProfile(
+                                                  joint.clearance() + gap),
+                                                PeriodicProfile(0.)});
           }
         return clearances;
       }
 
       // Unworn. If a mesh is to be as fine as the contact wants it, a cycle of
       // the dynamics says how large that is.
-      std::list<WearingBushing>
+      std::deque<WearingBushing>
       make_bushings(const CaseParameters             &parameters,
                     const Multibody::CycleSimulation &dynamics,
                     const MPI_Comm                   &communicator)
       {
-        std::list<WearingBushing> bushings;
+        std::deque<WearingBushing> bushings;
         if (parameters.cycles == 0)
           return bushings;
         const bool needs_forces =
@@ -97,6 +98,23 @@ namespace Tribody
           }
         return bushings;
       }
+
+
+
+      // What the contacts need of the duty cycle, so that no rounding lets the
+      // ranks drift apart.
+      void
+      take_forces_of_first_rank(Multibody::DutyCycle &cycle,
+                                const MPI_Comm       &communicator)
+      {
+        for (Multibody::JointDutyCycle &joint : cycle.joints)
+          for (Eigen::VectorXd *field : {&joint.normal_force,
+                                         &joint.contact_angle_bushing,
+                                         &joint.contact_angle_pin,
+                                         &joint.sliding_increment,
+                                         &joint.sliding_speed})
+            Ranks::broadcast(*field, 0, communicator);
+      }
     } // namespace
 
 
@@ -112,20 +130,9 @@ namespace Tribody
               dealii::TimerOutput::wall_times)
       , mechanism(parameters.mechanism)
       , dynamics(mechanism, make_dynamics_parameters(parameters))
-      , bushings(make_bushings(parameters, dynamics, communicator))
-      , supports(parameters.cycles == 0
-                   ? make_unworn_supports(parameters)
-                   : Multibody::CycleSimulation::Supports())
-      , stop_conditions(bushings)
-      , jump(make_jump(parameters.wear, bushings, stop_conditions))
-    {
-      state.totals.resize(bushings.size());
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
-        state.totals[b++].depth_error =
-          Eigen::VectorXd::Zero(bushing.depth().size());
-      state.contact_losses.resize(mechanism.parameters().joints.size());
-    }
+      , process(parameters.wear,
+                make_bushings(parameters, dynamics, communicator))
+    {}
 
 
 
@@ -144,11 +151,11 @@ namespace Tribody
             "degree of freedom",
             "degrees of freedom");
       out << std::endl;
-      for (const WearingBushing &bushing : bushings)
+      for (const WearingBushing &bushing : process.bushings())
         out << "Bushing " << bushing.name() << ": "
             << bushing.node_angles().size() << " bore nodes, clearance "
             << 1e3 * bushing.clearance_profile().mean() << " mm, "
-            << bushing.bushing_parameters().pressure_model
+            << name_of(bushing.bushing_parameters().pressure_model)
             << " pressure model, "
             << (bushing.has_elastic_pin() ? "elastic" : "rigid")
             << " pin (modulus "
@@ -164,19 +171,96 @@ namespace Tribody
 
 
     void
+    WearSimulation::start()
+    {
+      run_dynamics();
+      solve_contacts();
+      if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
+          !process.bushings().empty())
+        on_coarse_meshes([this]() {
+          coarse_run =
+            std::make_unique<CoarseRun>(parameters.wear, process.bushings());
+          coarse_run->start(process);
+        });
+    }
+
+
+
+    bool
+    WearSimulation::is_over() const
+    {
+      return state().cycles >= parameters.cycles || !state().stopped_by.empty();
+    }
+
+
+
+    void
+    WearSimulation::advance(const double end)
+    {
+      double kept_since = state().cycles;
+      {
+        dealii::TimerOutput::Scope scope(timer, "wear step");
+        process.take_step(end);
+        warn_of_unstable_step();
+      }
+      if (coarse_run != nullptr)
+        on_coarse_meshes([this]() { coarse_run->follow(process); });
+      if (is_over() || process.duty_cycle_is_outdated())
+        {
+          kept_since = state().cycles_at_dynamics;
+          run_dynamics();
+        }
+      dealii::TimerOutput::Scope scope(timer, "contact");
+      process.complete_step(kept_since);
+    }
+
+
+
+    void
+    WearSimulation::restore(const RunState &state)
+    {
+      AssertThrow(parameters.wear.mesh_error_estimate !=
+                    MeshErrorEstimate::whole_run,
+                  ExcRun("A run with 'Wear/Mesh error estimate = whole run' "
+                         "cannot be gone on with: the wear on the coarser mesh "
+                         "is not part of its state. Choose 'first cycle'."));
+      process.restore(state);
+    }
+
+
+
+    RunResults
+    WearSimulation::results() const
+    {
+      RunResults results = make_run_results(process);
+      results.status     = !state().stopped_by.empty() ? RunStatus::stopped
+                           : is_over()                 ? RunStatus::completed
+                                                       : RunStatus::failed;
+      results.message    = state().stopped_by;
+      return results;
+    }
+
+
+
+    RunResults
     WearSimulation::run(Output::OutputDirectory &directory)
     {
       RunRecorder recorder(
         parameters, mechanism, directory, console, communicator);
       Ranks::run_together(communicator, [&]() { recorder.start(); });
       watch_for_interruption();
+      RunResults results;
       try
         {
-          const std::string reached = run_cycles(recorder);
-          write_summary(directory,
-                        recorder,
-                        reached.empty() ? "completed" : "stopped",
-                        reached);
+          run_cycles(recorder);
+          results = is_over() ? conclude(directory,
+                                         recorder,
+                                         this->results().status,
+                                         state().stopped_by)
+                              : conclude(directory,
+                                         recorder,
+                                         RunStatus::stopped,
+                                         "interrupted by a signal");
         }
       catch (const std::exception &exception)
         {
@@ -185,9 +269,29 @@ namespace Tribody
         }
       if (parameters.cycles > 0)
         timer.print_summary();
-      AssertThrow(!is_interrupted(),
+      AssertThrow(is_over(),
                   ExcRun("It was interrupted; the results up to there are "
                          "written."));
+      return results;
+    }
+
+
+
+    void
+    WearSimulation::run_cycles(RunRecorder &recorder)
+    {
+      start();
+      recorder.record(state(), process.bushings());
+      while (!is_over())
+        {
+          advance(recorder.next_output());
+          recorder.record(state(), process.bushings());
+          const bool is_interrupted = was_interrupted_anywhere();
+          if (is_interrupted || !state().stopped_by.empty())
+            recorder.record_fields(state(), process.bushings());
+          if (is_interrupted)
+            return;
+        }
     }
 
 
@@ -208,13 +312,13 @@ namespace Tribody
           if (ours == nullptr)
             {
               // Perhaps on this rank only, which must not wait for others.
-              write_summary(directory, recorder, "failed", message);
+              conclude(directory, recorder, RunStatus::failed, message);
               return;
             }
           Ranks::run_together(communicator, [&]() {
-            write_summary(directory, recorder, "failed", message);
+            conclude(directory, recorder, RunStatus::failed, message);
           });
-          recorder.record_fields(state, bushings);
+          recorder.record_fields(state(), process.bushings());
         }
       catch (const std::exception &)
         {}
@@ -222,106 +326,34 @@ namespace Tribody
 
 
 
-    void
-    WearSimulation::write_summary(const Output::OutputDirectory &directory,
-                                  RunRecorder                   &recorder,
-                                  const std::string             &status,
-                                  const std::string             &message)
+    RunResults
+    WearSimulation::conclude(const Output::OutputDirectory &directory,
+                             const RunRecorder             &recorder,
+                             const RunStatus                status,
+                             const std::string             &message)
     {
-      RunSummary summary = make_run_summary(parameters, state, bushings);
-      summary.status     = status;
-      summary.message    = message;
-      summary.wall_time  = recorder.wall_time();
-      summary.cpu_time   = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+      RunResults results = make_run_results(process);
+      results.status     = status;
+      results.message    = message;
+      results.wall_time  = recorder.wall_time();
+      results.cpu_time   = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
       dealii::Utilities::System::MemoryStats memory;
       dealii::Utilities::System::get_memory_stats(memory);
-      summary.peak_memory_bytes = 1024. * memory.VmHWM;
+      results.peak_memory_bytes = 1024. * memory.VmHWM;
 
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        write_summary_json(directory.file("summary.json"), summary);
-      print_results(console.out(), summary);
+        write_summary_json(directory.file("summary.json"), parameters, results);
+      print_results(console.out(), parameters, results);
+      return results;
     }
 
 
 
     bool
-    WearSimulation::is_interrupted() const
+    WearSimulation::was_interrupted_anywhere() const
     {
       return dealii::Utilities::MPI::max(was_interrupted() ? 1 : 0,
                                          communicator) > 0;
-    }
-
-
-
-    void
-    WearSimulation::record(RunRecorder &recorder)
-    {
-      recorder.record(state, bushings);
-    }
-
-
-
-    void
-    WearSimulation::record_fields(RunRecorder &recorder)
-    {
-      recorder.record_fields(state, bushings);
-    }
-
-
-
-    std::string
-    WearSimulation::run_cycles(RunRecorder &recorder)
-    {
-      run_dynamics();
-      solve_contacts();
-      start_coarse_run();
-      record(recorder);
-
-      while (state.cycles < parameters.cycles)
-        {
-          const int reached = take_wear_step(recorder.next_output());
-          follow_on_coarse_meshes();
-          if (reached >= 0 || state.cycles >= parameters.cycles ||
-              dynamics_is_due())
-            run_dynamics();
-          solve_contacts();
-          estimate_error();
-          if (reached >= 0)
-            {
-              record_fields(recorder);
-              return stop_conditions.describe(reached);
-            }
-          record(recorder);
-          if (is_interrupted())
-            {
-              record_fields(recorder);
-              return "interrupted by a signal";
-            }
-        }
-      return "";
-    }
-
-
-
-    void
-    WearSimulation::start_coarse_run()
-    {
-      if (parameters.wear.mesh_error_estimate == "none" || bushings.empty())
-        return;
-      on_coarse_meshes([this]() {
-        coarse_run = std::make_unique<CoarseRun>(parameters.wear, bushings);
-        coarse_run->start(state, bushings);
-      });
-    }
-
-
-
-    void
-    WearSimulation::follow_on_coarse_meshes()
-    {
-      if (coarse_run != nullptr)
-        on_coarse_meshes(
-          [this]() { coarse_run->follow(state.duty_cycle, state.cycles); });
     }
 
 
@@ -333,13 +365,13 @@ namespace Tribody
       try
         {
           action();
-          state.mesh_errors = coarse_run->compare(bushings);
+          process.set_mesh_errors(coarse_run->mesh_errors());
         }
       catch (const ExcRun &exception)
         {
           // The run itself does not need it.
           coarse_run.reset();
-          state.mesh_errors.clear();
+          process.set_mesh_errors({});
           console.out() << "WARNING: no estimate of the error of the mesh, as "
                            "the next coarser one fails: "
                         << message_of(exception) << std::endl;
@@ -348,79 +380,23 @@ namespace Tribody
 
 
 
-    int
-    WearSimulation::take_wear_step(const double end)
-    {
-      dealii::TimerOutput::Scope scope(timer, "wear step");
-
-      const double       cycles_before = state.cycles;
-      const unsigned int n_before      = jump->n_rate_evaluations();
-      const int          reached       = jump->advance(state, end);
-      count_rate_evaluations(jump->n_rate_evaluations() - n_before);
-      warn_of_unstable_step();
-      cycles_kept = state.cycles - cycles_before;
-
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
-        {
-          const Multibody::JointDutyCycle &cycle =
-            state.duty_cycle.joint(bushing.name());
-          const double distance =
-            (state.cycles - cycles_before) * cycle.sliding_distance();
-          state.totals[b].sliding_distance += distance;
-          state.totals[b].force_over_sliding +=
-            distance * cycle.mean_normal_force();
-          ++b;
-        }
-      ++state.counts.wear_steps;
-      return reached;
-    }
-
-
-
-    void
-    WearSimulation::count_rate_evaluations(const unsigned int n)
-    {
-      state.counts.rate_evaluations += n;
-      for (const CycleContact &contact : state.contacts)
-        state.counts.contact_solves += n * contact.samples.size();
-    }
-
-
-
     void
     WearSimulation::warn_of_unstable_step()
     {
-      if (unstable_step_reported || state.max_stable_step == 0. ||
-          parameters.wear.cycles_per_step <= state.max_stable_step)
+      const double max_stable_step = state().stepper.max_stable_step;
+      if (state().unstable_step_reported || max_stable_step == 0. ||
+          parameters.wear.cycles_per_step <= max_stable_step)
         return;
-      unstable_step_reported = true;
+      process.set_unstable_step_reported();
       console.out() << "WARNING: 'Wear/Cycles per step' = "
                     << parameters.wear.cycles_per_step
                     << " is longer than explicit steps are stable for on this "
                        "mesh, about "
-                    << state.max_stable_step
+                    << max_stable_step
                     << ": pressure and depth will oscillate from node to node. "
                        "Choose shorter steps, a coarser mesh, or 'set "
                        "Extrapolation = implicit'."
                     << std::endl;
-    }
-
-
-
-    void
-    WearSimulation::estimate_error()
-    {
-      // Absolute values: an oscillation must not cancel in the sum.
-      const std::vector<StepError> errors =
-        jump->estimate_error(state.contacts, cycles_kept);
-      for (std::size_t b = 0; b < state.totals.size(); ++b)
-        {
-          state.totals[b].depth_error += errors[b].depth.cwiseAbs();
-          for (std::size_t i = 0; i < errors[b].volumes.size(); ++i)
-            state.totals[b].surfaces[i].volume_error +=
-              std::abs(errors[b].volumes[i]);
-        }
     }
 
 
@@ -431,74 +407,26 @@ namespace Tribody
       dealii::TimerOutput::Scope scope(timer, "dynamics");
 
       auto clearances = make_unworn_clearances(parameters);
-      for (const WearingBushing &bushing : bushings)
+      auto supports   = parameters.cycles == 0
+                          ? make_unworn_supports(parameters)
+                          : Multibody::CycleSimulation::Supports();
+      for (const WearingBushing &bushing : process.bushings())
         {
           clearances.insert_or_assign(bushing.name(), bushing.clearance());
           if (bushing.joint_parameters().needs_support())
             supports[bushing.name()] = bushing.make_support();
         }
+      Multibody::DutyCycle cycle;
       Ranks::run_together(communicator, [&]() {
-        state.duty_cycle = dynamics.run(clearances, supports);
+        cycle = dynamics.run(clearances, supports);
       });
-      take_forces_of_first_rank();
+      take_forces_of_first_rank(cycle, communicator);
 
-      cycles_kept        = state.cycles - cycles_at_dynamics;
-      cycles_at_dynamics = state.cycles;
-      depths_at_dynamics.clear();
-      for (const WearingBushing &bushing : bushings)
-        depths_at_dynamics.push_back(bushing.depth());
-
-      const Multibody::SettlingReport &settling = state.duty_cycle.settling;
-      state.counts.dynamics_cycles += settling.n_cycles;
-      if (!settling.message.empty() && state.settling_message.empty())
-        {
-          // Without wear, the results say it right away.
-          std::ostringstream message;
-          if (parameters.cycles > 0)
-            message << "after " << state.cycles << " cycles: ";
-          message << settling.message;
-          state.settling_message = message.str();
-          if (parameters.cycles > 0)
-            console.out() << "WARNING: dynamics " << state.settling_message
-                          << "." << std::endl;
-        }
-      state.constraint_drift =
-        std::max(state.constraint_drift, state.duty_cycle.constraint_drift);
-      state.all_settled = state.all_settled && settling.converged;
-      for (std::size_t j = 0; j < state.contact_losses.size(); ++j)
-        state.contact_losses[j] += state.duty_cycle.joints[j].n_losses;
-    }
-
-
-
-    bool
-    WearSimulation::dynamics_is_due() const
-    {
-      bool        is_due = false;
-      std::size_t b      = 0;
-      for (const WearingBushing &bushing : bushings)
-        {
-          const Eigen::VectorXd depth = bushing.depth();
-          const double          change =
-            (depth - depths_at_dynamics[b++]).lpNorm<Eigen::Infinity>();
-          is_due = is_due || change > parameters.wear.dynamics_update *
-                                        bushing.largest_clearance(depth);
-        }
-      return is_due;
-    }
-
-
-
-    void
-    WearSimulation::take_forces_of_first_rank()
-    {
-      for (Multibody::JointDutyCycle &joint : state.duty_cycle.joints)
-        for (Eigen::VectorXd *field : {&joint.normal_force,
-                                       &joint.contact_angle_bushing,
-                                       &joint.contact_angle_pin,
-                                       &joint.sliding_increment,
-                                       &joint.sliding_speed})
-          Ranks::broadcast(*field, 0, communicator);
+      const bool had_settled = state().dynamics.settling_message.empty();
+      process.renew_duty_cycle(cycle);
+      const std::string &message = state().dynamics.settling_message;
+      if (parameters.cycles > 0 && had_settled && !message.empty())
+        console.out() << "WARNING: dynamics " << message << "." << std::endl;
     }
 
 
@@ -507,26 +435,7 @@ namespace Tribody
     WearSimulation::solve_contacts()
     {
       dealii::TimerOutput::Scope scope(timer, "contact");
-
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
-        {
-          const Multibody::JointDutyCycle &cycle =
-            state.duty_cycle.joint(bushing.name());
-          const bool         is_first = state.contacts.size() <= b;
-          const CycleContact contact =
-            bushing.compute_cycle_contact(bushing.depth(),
-                                          cycle,
-                                          is_first ? nullptr
-                                                   : &state.contacts[b],
-                                          state.totals[b].sliding_distance);
-          if (is_first)
-            state.contacts.push_back(contact);
-          else
-            state.contacts[b] = contact;
-          ++b;
-        }
-      count_rate_evaluations(1);
+      process.solve_contacts();
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -2,7 +2,6 @@
 
 #include <tribody/bushing/bushing_mesh.h>
 #include <tribody/stepping/coarse_run.h>
-#include <tribody/stepping/make_jump.h>
 
 #include <cmath>
 
@@ -12,11 +11,11 @@ namespace Tribody
   {
     namespace
     {
-      std::list<WearingBushing>
-      make_coarse_bushings(const WearParameters            &parameters,
-                           const std::list<WearingBushing> &bushings)
+      std::deque<WearingBushing>
+      make_coarse_bushings(const WearParameters             &parameters,
+                           const std::deque<WearingBushing> &bushings)
       {
-        std::list<WearingBushing> coarse;
+        std::deque<WearingBushing> coarse;
         for (const WearingBushing &bushing : bushings)
           if (auto coarse_parameters =
                 coarsen_mesh(bushing.bushing_parameters()))
@@ -37,129 +36,68 @@ namespace Tribody
       {
         return fine > 0. ? std::abs(coarse / fine - 1.) : 0.;
       }
-
-
-
-      const WearingBushing *
-      find(const std::list<WearingBushing> &bushings, const std::string &name)
-      {
-        for (const WearingBushing &bushing : bushings)
-          if (bushing.name() == name)
-            return &bushing;
-        return nullptr;
-      }
     } // namespace
 
 
 
-    CoarseRun::CoarseRun(const WearParameters            &parameters,
-                         const std::list<WearingBushing> &bushings)
-      : follows_whole_run(parameters.mesh_error_estimate == "whole run")
-      , coarse(make_coarse_bushings(parameters, bushings))
-      , no_conditions(coarse)
-      , jump(coarse.empty() ? nullptr
-                            : make_jump(parameters, coarse, no_conditions))
+    CoarseRun::CoarseRun(const WearParameters             &parameters,
+                         const std::deque<WearingBushing> &bushings)
+      : follows_whole_run(parameters.mesh_error_estimate ==
+                          MeshErrorEstimate::whole_run)
+      , twin(parameters, make_coarse_bushings(parameters, bushings))
       , errors(bushings.size())
     {
-      state.totals.resize(coarse.size());
+      for (const WearingBushing &coarse : twin.bushings())
+        for (std::size_t j = 0; j < bushings.size(); ++j)
+          if (bushings[j].name() == coarse.name())
+            bushing_of_run.push_back(j);
     }
 
 
 
     void
-    CoarseRun::start(const RunState                  &fine_state,
-                     const std::list<WearingBushing> &bushings)
+    CoarseRun::start(const WearProcess &run)
     {
-      state.duty_cycle = fine_state.duty_cycle;
-      state.cycles     = fine_state.cycles;
-      solve_contacts();
-
-      std::size_t b = 0, c = 0;
-      for (const WearingBushing &bushing : bushings)
+      twin.renew_duty_cycle(run.state().duty_cycle);
+      twin.solve_contacts();
+      for (std::size_t c = 0; c < bushing_of_run.size(); ++c)
         {
-          if (const WearingBushing *twin = find(coarse, bushing.name()))
-            {
-              const CycleContact &fine_contact   = fine_state.contacts[b];
-              const CycleContact &coarse_contact = state.contacts[c];
-              MeshError          &error          = errors[b];
-              error.n_nodes                      = bushing.node_angles().size();
-              error.n_coarse_nodes               = twin->node_angles().size();
-              error.max_pressure =
-                relative_difference(coarse_contact.max_pressure,
-                                    fine_contact.max_pressure);
-              error.wear_depth =
-                relative_difference(coarse_contact.wear_rate.maxCoeff(),
-                                    fine_contact.wear_rate.maxCoeff());
-              ++c;
-            }
-          ++b;
+          const std::size_t   j      = bushing_of_run[c];
+          const CycleContact &fine   = run.state().joints[j].contact;
+          const CycleContact &coarse = twin.state().joints[c].contact;
+          MeshError          &error  = errors[j];
+          error.n_nodes              = run.bushings()[j].node_angles().size();
+          error.n_coarse_nodes       = twin.bushings()[c].node_angles().size();
+          error.max_pressure =
+            relative_difference(coarse.max_pressure, fine.max_pressure);
+          error.wear_depth = relative_difference(coarse.wear_rate.maxCoeff(),
+                                                 fine.wear_rate.maxCoeff());
         }
     }
 
 
 
     void
-    CoarseRun::follow(const Multibody::DutyCycle &cycle, const double end)
+    CoarseRun::follow(const WearProcess &run)
     {
-      if (!follows_whole_run || coarse.empty())
+      if (!follows_whole_run || twin.bushings().empty())
         return;
-      state.duty_cycle = cycle;
-      solve_contacts();
-      while (state.cycles < end)
+      twin.renew_duty_cycle(run.state().duty_cycle);
+      twin.solve_contacts();
+      while (twin.state().cycles < run.state().cycles)
         {
-          const double begin = state.cycles;
-          jump->advance(state, end);
-          std::size_t b = 0;
-          for (const WearingBushing &bushing : coarse)
-            state.totals[b++].sliding_distance +=
-              (state.cycles - begin) *
-              cycle.joint(bushing.name()).sliding_distance();
-          solve_contacts();
-          // By which it chooses its next step.
-          jump->estimate_error(state.contacts, state.cycles - begin);
+          const double begin = twin.state().cycles;
+          twin.take_step(run.state().cycles);
+          twin.complete_step(begin);
         }
-    }
-
-
-
-    const std::vector<MeshError> &
-    CoarseRun::compare(const std::list<WearingBushing> &bushings)
-    {
-      if (!follows_whole_run || state.cycles == 0.)
-        return errors;
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t c = 0; c < bushing_of_run.size(); ++c)
         {
-          if (const WearingBushing *twin = find(coarse, bushing.name()))
-            {
-              errors[b].covers_whole_run = true;
-              errors[b].wear_depth =
-                relative_difference(twin->profile().max_depth(),
-                                    bushing.profile().max_depth());
-            }
-          ++b;
+          MeshError &error       = errors[bushing_of_run[c]];
+          error.covers_whole_run = true;
+          error.wear_depth       = relative_difference(
+            twin.bushings()[c].profile().max_depth(),
+            run.bushings()[bushing_of_run[c]].profile().max_depth());
         }
-      return errors;
-    }
-
-
-
-    void
-    CoarseRun::solve_contacts()
-    {
-      std::vector<CycleContact> contacts;
-      for (const WearingBushing &bushing : coarse)
-        {
-          const std::size_t   b = contacts.size();
-          const CycleContact *similar =
-            b < state.contacts.size() ? &state.contacts[b] : nullptr;
-          contacts.push_back(bushing.compute_cycle_contact(
-            bushing.depth(),
-            state.duty_cycle.joint(bushing.name()),
-            similar,
-            state.totals[b].sliding_distance));
-        }
-      state.contacts = contacts;
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -18,8 +18,7 @@ namespace Tribody
       smallest_depth(const WearingBushing &bushing)
       {
         const Multibody::JointParameters &joint = bushing.joint_parameters();
-        return 0.05 * std::max(joint.bushing_radius - joint.pin_radius,
-                               1e-5 * joint.bushing_radius);
+        return 0.05 * std::max(joint.clearance(), 1e-5 * joint.bushing_radius);
       }
 
 
@@ -32,13 +31,24 @@ namespace Tribody
       // Part of the rate, in the norm of the errors: forces that are less sure
       // than that say nothing about the nodes in contact.
       constexpr double max_inconsistency = 1e-2;
+
+
+
+      std::vector<CycleContact>
+      contacts_of(const std::vector<JointState> &joints)
+      {
+        std::vector<CycleContact> contacts;
+        for (const JointState &joint : joints)
+          contacts.push_back(joint.contact);
+        return contacts;
+      }
     } // namespace
 
 
 
-    ImplicitJump::ImplicitJump(std::list<WearingBushing> &bushings,
-                               const StopConditions      &stop_conditions,
-                               const double               tolerance)
+    ImplicitJump::ImplicitJump(const std::deque<WearingBushing> &bushings,
+                               const StopConditions &stop_conditions,
+                               const double          tolerance)
       : CycleJump(bushings, stop_conditions)
       , tolerance(tolerance)
       , first_entry(1, 0)
@@ -67,38 +77,43 @@ namespace Tribody
 
 
 
-    int
+    WearStep
     ImplicitJump::advance(RunState &state, const double end)
     {
+      run           = &state;
+      n_evaluations = 0;
       // What is known already of the state at which the step begins.
-      run                  = &state;
-      Eigen::VectorXd rate = rate_of(state.contacts);
-      if (rate_change.size() > 0)
-        rate = integrator.end_rate() + rate_change;
-      take_contacts(state.contacts);
-      compute_weights(state.contacts);
+      const std::vector<CycleContact> begin   = contacts_of(state.joints);
+      StepperState                   &stepper = state.stepper;
+      contacts                                = stepper.contacts;
+      take_contacts(begin);
+      compute_weights(begin);
 
+      integrator.restore(stepper.extrapolation);
       integrator.start(state.cycles,
                        Eigen::VectorXd::Zero(first_entry.back()),
-                       rate,
+                       stepper.rate.size() > 0 ? stepper.rate : rate_of(begin),
                        weights,
-                       max_step);
+                       stepper.max_step);
       const bool stopped = integrator.step(end);
 
-      const Eigen::VectorXd              y      = integrator.state();
-      const std::vector<Eigen::VectorXd> depths = depths_after(y);
-      std::size_t                        b      = 0;
-      for (WearingBushing &bushing : bushings)
+      stepper.contacts      = contacts;
+      stepper.extrapolation = integrator.lasting_memory();
+
+      const Eigen::VectorXd y = integrator.state();
+      WearStep              step;
+      step.cycles             = integrator.cycles();
+      step.depths             = depths_after(y);
+      step.n_rate_evaluations = n_evaluations;
+      for (std::size_t j = 0; j < bushings.size(); ++j)
+        step.removed_areas.push_back(part(y, j));
+      if (stopped)
         {
-          wear(bushing, state.totals[b], depths[b], part(y, b));
-          ++b;
+          Eigen::Index condition = 0;
+          stop_conditions.evaluate(step.depths).maxCoeff(&condition);
+          step.reached = condition;
         }
-      state.cycles = integrator.cycles();
-      if (!stopped)
-        return -1;
-      int condition = -1;
-      stop_conditions.evaluate(depths).maxCoeff(&condition);
-      return condition;
+      return step;
     }
 
 
@@ -107,11 +122,11 @@ namespace Tribody
     ImplicitJump::compute_weights(const std::vector<CycleContact> &contacts)
     {
       weights.resize(first_entry.back());
-      largest_depths.clear();
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
+      largest_depths.assign(bushings.size(), {});
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          const CycleContact   &contact = contacts[b];
+          const WearingBushing &bushing = bushings[j];
+          const CycleContact   &contact = contacts[j];
           const Eigen::VectorXd depth   = bushing.depth();
           for (const WearingSurface &surface : bushing.surfaces())
             {
@@ -132,12 +147,11 @@ namespace Tribody
                           surface.part_of(contact.removed_area).sum();
                   arc = area / (h.maxCoeff() + floor);
                 }
-              largest_depths.push_back(max_depth);
-              const Eigen::Index first = first_entry[b] + surface.first_node;
+              largest_depths[j].push_back(max_depth);
+              const Eigen::Index first = first_entry[j] + surface.first_node;
               weights.segment(first, D.size()) =
                 (D * arc).cwiseSqrt().cwiseInverse() / max_depth;
             }
-          ++b;
         }
     }
 
@@ -150,8 +164,8 @@ namespace Tribody
       // beginning: where the bore is stiff, what has changed since the last
       // step decides those.
       bool is_similar = contacts.size() == begin.size();
-      for (std::size_t b = 0; is_similar && b < begin.size(); ++b)
-        is_similar = contacts[b].samples.size() == begin[b].samples.size();
+      for (std::size_t j = 0; is_similar && j < begin.size(); ++j)
+        is_similar = contacts[j].samples.size() == begin[j].samples.size();
       if (!is_similar)
         contacts = begin;
     }
@@ -210,18 +224,15 @@ namespace Tribody
     {
       const std::vector<Eigen::VectorXd> depths = depths_after(y);
       std::vector<CycleContact>          result;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          const std::size_t                b = result.size();
           const Multibody::JointDutyCycle &cycle =
-            run->duty_cycle.joint(bushing.name());
-          result.push_back(
-            bushing.compute_held_contact(depths[b],
-                                         cycle,
-                                         contacts[b],
-                                         run->totals[b].sliding_distance +
-                                           (cycles - run->cycles) *
-                                             cycle.sliding_distance()));
+            run->duty_cycle.joint(bushings[j].name());
+          const double distance =
+            run->joints[j].totals.sliding_distance +
+            (cycles - run->cycles) * cycle.sliding_distance();
+          result.push_back(bushings[j].compute_held_contact(
+            depths[j], cycle, contacts[j], distance));
         }
       return result;
     }
@@ -231,9 +242,9 @@ namespace Tribody
     std::size_t
     ImplicitJump::count_wrong_nodes() const
     {
-      std::size_t n = 0, b = 0;
-      for (const WearingBushing &bushing : bushings)
-        n += bushing.count_wrong_nodes(contacts[b++]);
+      std::size_t n = 0;
+      for (std::size_t j = 0; j < bushings.size(); ++j)
+        n += bushings[j].count_wrong_nodes(contacts[j]);
       return n;
     }
 
@@ -253,9 +264,9 @@ namespace Tribody
     ImplicitJump::rate_of(const std::vector<CycleContact> &contacts) const
     {
       Eigen::VectorXd rate(first_entry.back());
-      for (std::size_t b = 0; b < contacts.size(); ++b)
-        rate.segment(first_entry[b], first_entry[b + 1] - first_entry[b]) =
-          contacts[b].removed_area;
+      for (std::size_t j = 0; j < contacts.size(); ++j)
+        rate.segment(first_entry[j], first_entry[j + 1] - first_entry[j]) =
+          contacts[j].removed_area;
       return rate;
     }
 
@@ -266,14 +277,13 @@ namespace Tribody
     {
       Eigen::MatrixXd jacobian =
         Eigen::MatrixXd::Zero(first_entry.back(), first_entry.back());
-      std::size_t b = 0;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          const Eigen::VectorXd &D = contacts[b].area_derivative;
-          jacobian.block(first_entry[b], first_entry[b], D.size(), D.size()) =
-            D.asDiagonal() * bushing.compute_wear_rate_jacobian(contacts[b]) *
+          const Eigen::VectorXd &D = contacts[j].area_derivative;
+          jacobian.block(first_entry[j], first_entry[j], D.size(), D.size()) =
+            D.asDiagonal() *
+            bushings[j].compute_wear_rate_jacobian(contacts[j]) *
             D.cwiseInverse().asDiagonal();
-          ++b;
         }
       return jacobian;
     }
@@ -281,51 +291,48 @@ namespace Tribody
 
 
     std::vector<StepError>
-    ImplicitJump::estimate_error(
-      const std::vector<CycleContact> &contacts_after,
-      const double                     cycles_kept)
+    ImplicitJump::estimate_error(RunState &state, const double cycles_kept)
     {
       // What the integrator estimates, and half of what the new duty cycle and
       // compliance change in the rate, times the cycles that they were kept
       // for, as far as the wear under way does not level it again.
-      const Eigen::VectorXd local = integrator.local_error();
-      rate_change =
-        stage_matrix.solve(rate_of(contacts_after) - integrator.end_rate());
+      const Eigen::VectorXd local       = integrator.local_error();
+      const Eigen::VectorXd rate_change = stage_matrix.solve(
+        rate_of(contacts_of(state.joints)) - integrator.end_rate());
       const Eigen::VectorXd lag = 0.5 * cycles_kept * rate_change;
 
       const double relative_lag = lag.cwiseProduct(weights).norm();
-      max_step                  = relative_lag > 0.
-                                    ? 0.9 * cycles_kept * std::sqrt(tolerance / relative_lag)
-                                    : 0.;
+      state.stepper.rate        = integrator.end_rate() + rate_change;
+      state.stepper.max_step =
+        relative_lag > 0.
+          ? 0.9 * cycles_kept * std::sqrt(tolerance / relative_lag)
+          : 0.;
 
       std::vector<StepError> errors;
-      std::size_t            b = 0, n_surfaces = 0;
-      for (const WearingBushing &bushing : bushings)
+      for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          StepError   error{Eigen::VectorXd(bushing.depth().size()), {}};
-          std::size_t i = 0;
-          for (const WearingSurface &surface : bushing.surfaces())
+          StepError error{Eigen::VectorXd(bushings[j].depth().size()), {}};
+          const std::vector<WearingSurface> surfaces = bushings[j].surfaces();
+          for (std::size_t i = 0; i < surfaces.size(); ++i)
             {
               const auto of_surface = [&](const Eigen::VectorXd &y) {
-                return y.segment(first_entry[b] + surface.first_node,
-                                 surface.n_nodes);
+                return y.segment(first_entry[j] + surfaces[i].first_node,
+                                 surfaces[i].n_nodes);
               };
-              double       depth_error   = 0.;
-              const double largest_depth = largest_depths[n_surfaces++];
+              double depth_error = 0.;
               for (const Eigen::VectorXd &e : {local, lag})
                 {
                   depth_error +=
                     of_surface(e).cwiseProduct(of_surface(weights)).norm() *
-                    largest_depth;
-                  error.volumes[i] += std::abs(of_surface(e).sum()) *
-                                      bushing.bushing_parameters().axial_length;
+                    largest_depths[j][i];
+                  error.volumes[i] +=
+                    std::abs(of_surface(e).sum()) *
+                    bushings[j].bushing_parameters().axial_length;
                 }
-              error.depth.segment(surface.first_node, surface.n_nodes)
+              error.depth.segment(surfaces[i].first_node, surfaces[i].n_nodes)
                 .setConstant(depth_error);
-              ++i;
             }
           errors.push_back(error);
-          ++b;
         }
       return errors;
     }
@@ -344,9 +351,9 @@ namespace Tribody
 
 
     Eigen::VectorXd
-    ImplicitJump::part(const Eigen::VectorXd &y, const std::size_t b) const
+    ImplicitJump::part(const Eigen::VectorXd &y, const std::size_t j) const
     {
-      return y.segment(first_entry[b], first_entry[b + 1] - first_entry[b]);
+      return y.segment(first_entry[j], first_entry[j + 1] - first_entry[j]);
     }
   } // namespace Coupling
 } // namespace Tribody

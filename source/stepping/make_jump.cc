@@ -11,15 +11,15 @@ namespace Tribody
   namespace Coupling
   {
     std::unique_ptr<CycleJump>
-    make_jump(const WearParameters      &parameters,
-              std::list<WearingBushing> &bushings,
-              const StopConditions      &stop_conditions)
+    make_jump(const WearParameters             &parameters,
+              const std::deque<WearingBushing> &bushings,
+              const StopConditions             &stop_conditions)
     {
-      if (parameters.extrapolation == "constant")
+      if (parameters.extrapolation == Extrapolation::constant)
         return std::make_unique<ConstantJump>(bushings,
                                               stop_conditions,
                                               parameters.cycles_per_step);
-      if (parameters.extrapolation == "one-shot")
+      if (parameters.extrapolation == Extrapolation::one_shot)
         return std::make_unique<ConstantJump>(
           bushings, stop_conditions, std::numeric_limits<double>::max(), true);
       return std::make_unique<ImplicitJump>(bushings,

@@ -16,7 +16,6 @@ namespace Tribody
         prm,
         "Scheme",
         scheme,
-        {"staggered", "coupled"},
         "How dynamics and contact pressure go together. staggered: joint "
         "forces by the contact force laws of the joints, then pressures by "
         "finite elements under these forces (Mukras et al.). coupled: the law "
@@ -26,7 +25,6 @@ namespace Tribody
       Parameters::add_choice(prm,
                              "Extrapolation",
                              extrapolation,
-                             {"implicit", "constant", "one-shot"},
                              "How the wear of one cycle is carried over many. "
                              "implicit: as few implicit steps as the tolerance "
                              "allows, whatever the mesh. constant: explicit "
@@ -66,7 +64,6 @@ namespace Tribody
         prm,
         "Mesh error estimate",
         mesh_error_estimate,
-        {"none", "first cycle", "whole run"},
         "What is also computed on the next coarser mesh (half as many bore "
         "cells and layers, or one file refinement less) to see what the mesh "
         "does to the results: the largest pressure and the wear rate of the "

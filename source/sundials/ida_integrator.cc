@@ -6,9 +6,11 @@
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/sundials/callbacks.h>
 #include <tribody/sundials/ida_integrator.h>
 #include <tribody/sundials/ida_linear_solver.h>
 #include <tribody/sundials/ida_vector.h>
+#include <tribody/sundials/vector_view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,25 +102,6 @@ namespace Tribody
 
 
 
-      // Exceptions must not pass through C. Anything that is caught here is
-      // kept, and IDA told to give up.
-      template <typename Function>
-      int
-      guarded(std::exception_ptr &exception, const Function &function)
-      {
-        try
-          {
-            return function();
-          }
-        catch (...)
-          {
-            exception = std::current_exception();
-            return -1;
-          }
-      }
-
-
-
       template <typename Memory>
       int
       residual_callback(realtype t,
@@ -178,13 +161,6 @@ namespace Tribody
           return 0;
         });
       }
-
-
-
-      // We report errors ourselves, once, with what to do about them.
-      void
-      silent_error_handler(int, const char *, const char *, char *, void *)
-      {}
     } // namespace
 
 

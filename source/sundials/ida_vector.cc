@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <nvector/nvector_serial.h>
-
 #include <tribody/sundials/ida_vector.h>
+#include <tribody/sundials/vector_view.h>
 
 #include <cmath>
 
@@ -77,22 +76,6 @@ namespace Tribody
       vector->ops->nvwrmsnorm          = wrms_norm;
       vector->ops->nvwrmsnormmask      = wrms_norm_mask;
       return vector;
-    }
-
-
-
-    Eigen::Map<Eigen::VectorXd>
-    view(const N_Vector x)
-    {
-      return {NV_DATA_S(x), static_cast<Eigen::Index>(NV_LENGTH_S(x))};
-    }
-
-
-
-    Eigen::Map<const Eigen::VectorXd>
-    const_view(const N_Vector x)
-    {
-      return {NV_DATA_S(x), static_cast<Eigen::Index>(NV_LENGTH_S(x))};
     }
   } // namespace Sundials
 } // namespace Tribody

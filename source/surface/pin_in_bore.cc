@@ -65,15 +65,15 @@ namespace Tribody
     for (int i = 0; i < n; ++i)
       {
         const double theta = 2. * dealii::numbers::PI * i / n;
-        const double r     = radius + surfaces.bushing.clearance(theta);
+        const double r     = radius + surfaces.bushing.value(theta);
         table_x(i)         = r * std::cos(theta);
         table_y(i)         = r * std::sin(theta);
       }
     least_pin_wear = surfaces.pin_wear.mean();
     for (int i = 0; i < n_pin; ++i)
-      least_pin_wear = std::min(least_pin_wear,
-                                surfaces.pin_wear.clearance(
-                                  2. * dealii::numbers::PI * i / n_pin));
+      least_pin_wear =
+        std::min(least_pin_wear,
+                 surfaces.pin_wear.value(2. * dealii::numbers::PI * i / n_pin));
   }
 
 
@@ -94,8 +94,8 @@ namespace Tribody
     const double   r = e.norm();
     if (!(r > smallest_eccentricity))
       {
-        result.penetration = r - surfaces.bushing.clearance(0.) -
-                             surfaces.pin_wear.clearance(-alpha);
+        result.penetration =
+          r - surfaces.bushing.value(0.) - surfaces.pin_wear.value(-alpha);
         return result;
       }
     const Eigen::Vector2d n = e / r, t = perpendicular(n);
@@ -113,7 +113,7 @@ namespace Tribody
     const Eigen::Matrix3d H_theta =
       -(D_r.transpose() * D_theta + D_theta.transpose() * D_r) / r;
 
-    result.penetration = r - c.clearance - h.clearance;
+    result.penetration = r - c.value - h.value;
     result.d_penetration =
       D_r - c.first_derivative * D_theta - h.first_derivative * D_beta;
     result.d2_penetration =
@@ -122,12 +122,12 @@ namespace Tribody
       h.second_derivative * D_beta.transpose() * D_beta;
     result.direction   = n;
     result.d_direction = t * D_theta;
-    result.pin_point   = (radius - h.clearance) * n;
+    result.pin_point   = (radius - h.value) * n;
     result.d_pin_point =
-      (radius - h.clearance) * t * D_theta - n * h.first_derivative * D_beta;
-    result.bushing_point = (radius + c.clearance) * n;
+      (radius - h.value) * t * D_theta - n * h.first_derivative * D_beta;
+    result.bushing_point = (radius + c.value) * n;
     result.d_bushing_point =
-      ((radius + c.clearance) * t + c.first_derivative * n) * D_theta;
+      ((radius + c.value) * t + c.first_derivative * n) * D_theta;
     return result;
   }
 
@@ -142,7 +142,7 @@ namespace Tribody
     const Eigen::Vector2d u(std::cos(theta), std::sin(theta));
     const Eigen::Vector2d v = perpendicular(u);
     const auto            c = surfaces.bushing.evaluate(theta);
-    const double          r = radius + c.clearance;
+    const double          r = radius + c.value;
     result.theta            = theta;
     result.x                = r * u;
     result.d_x              = c.first_derivative * u + r * v;
@@ -166,7 +166,7 @@ namespace Tribody
       {
         const auto h =
           surfaces.pin_wear.evaluate(std::atan2(m.y(), m.x()) - alpha);
-        result.value -= h.clearance;
+        result.value -= h.value;
         G -= h.first_derivative / d * t;
         H += (h.first_derivative * (m * t.transpose() + t * m.transpose()) -
               h.second_derivative * t * t.transpose()) /
@@ -202,8 +202,7 @@ namespace Tribody
 
     const auto overlap = [&](const Eigen::Index i) {
       const double psi = std::atan2(table_y(i) - e.y(), table_x(i) - e.x());
-      return -std::sqrt(distances(i)) -
-             surfaces.pin_wear.clearance(psi - alpha);
+      return -std::sqrt(distances(i)) - surfaces.pin_wear.value(psi - alpha);
     };
     Eigen::Index deepest = nearest;
     double       largest = overlap(nearest);
@@ -304,8 +303,8 @@ namespace Tribody
     if (is_along_eccentricity())
       {
         const double theta = std::atan2(e.y(), e.x());
-        return e.norm() - surfaces.bushing.clearance(theta) -
-               surfaces.pin_wear.clearance(theta - alpha);
+        return e.norm() - surfaces.bushing.value(theta) -
+               surfaces.pin_wear.value(theta - alpha);
       }
     return find_deepest(e, alpha).value;
   }
@@ -318,10 +317,9 @@ namespace Tribody
                            const double           alpha) const
   {
     const double    angle = std::atan2(direction.y(), direction.x());
-    Eigen::Vector2d e =
-      (surfaces.bushing.clearance(angle) +
-       surfaces.pin_wear.clearance(angle - alpha) + penetration) *
-      direction;
+    Eigen::Vector2d e     = (surfaces.bushing.value(angle) +
+                         surfaces.pin_wear.value(angle - alpha) + penetration) *
+                        direction;
     if (is_along_eccentricity())
       return e;
 

@@ -7,6 +7,8 @@
 #include <sundials/sundials_nonlinearsolver.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/sundials/callbacks.h>
+#include <tribody/sundials/vector_view.h>
 #include <tribody/wear/implicit_extrapolation.h>
 
 #include <algorithm>
@@ -20,20 +22,6 @@ namespace Tribody
 {
   namespace Wear
   {
-    namespace
-    {
-      using View = Eigen::Map<Eigen::VectorXd>;
-
-      View
-      view_of(const N_Vector x)
-      {
-        return {N_VGetArrayPointer(x),
-                static_cast<Eigen::Index>(N_VGetLength(x))};
-      }
-    } // namespace
-
-
-
     struct ImplicitExtrapolation::Memory
     {
       Memory(const WearEquation &equation, const double tolerance)
@@ -43,18 +31,22 @@ namespace Tribody
 
       ~Memory()
       {
-        ARKStepFree(&arkode);
-        SUNNonlinSolFreeEmpty(stage_solver);
-        N_VDestroy(view);
-        SUNContext_Free(&context);
+        release();
       }
+
+      Memory(const Memory &) = delete;
+      Memory &
+      operator=(const Memory &) = delete;
 
       void
       create(const double start_cycles);
 
+      void
+      release();
+
       /// Solve the stage that ARKODE is at; its correction of the prediction.
       int
-      solve_stage(View correction);
+      solve_stage(Eigen::Map<Eigen::VectorXd> correction);
 
       /// The largest of the events; negative before any has happened.
       double
@@ -90,15 +82,13 @@ namespace Tribody
       Eigen::VectorXd y;
       Eigen::VectorXd weights;
 
-      /// Where the last step began, and the step that was to follow it.
+      /// Where the last step began.
       double          step_start = 0.;
       Eigen::VectorXd y_start;
-      double          proposal = 0.;
       /// Given at the beginning of the step, and found by the last stage.
-      Eigen::VectorXd start_rate;
-      Eigen::VectorXd end_rate;
-      /// Slope of the line that guesses are on; empty at first.
-      Eigen::VectorXd slope;
+      Eigen::VectorXd     start_rate;
+      Eigen::VectorXd     end_rate;
+      ExtrapolationMemory lasting;
 
       SUNContext         context      = nullptr;
       void              *arkode       = nullptr;
@@ -110,31 +100,12 @@ namespace Tribody
 
     namespace
     {
-      // Exceptions must not pass through C: kept, and rethrown by check().
-      template <typename Function>
-      int
-      guarded(std::exception_ptr &exception, const Function &function)
-      {
-        try
-          {
-            function();
-            return 0;
-          }
-        catch (...)
-          {
-            exception = std::current_exception();
-            return -1;
-          }
-      }
-
-
-
       // ARKODE asks for it at the beginning of a step only.
       template <typename Memory>
       int
       rate_callback(realtype, N_Vector, N_Vector rate, void *data)
       {
-        view_of(rate) = static_cast<Memory *>(data)->start_rate;
+        Sundials::view(rate) = static_cast<Memory *>(data)->start_rate;
         return 0;
       }
 
@@ -147,7 +118,7 @@ namespace Tribody
       {
         const Memory &memory = *static_cast<Memory *>(data);
         const double  n      = memory.weights.size();
-        view_of(weights) =
+        Sundials::view(weights) =
           memory.weights.cwiseMax(1e-30) * (std::sqrt(n) / memory.tolerance);
         return 0;
       }
@@ -181,12 +152,11 @@ namespace Tribody
                      booleantype,
                      void *)
       {
-        Memory   &memory  = *static_cast<Memory *>(solver->content);
-        int       status  = SUN_NLS_SUCCESS;
-        const int failure = guarded(memory.exception, [&]() {
-          status = memory.solve_stage(view_of(correction));
+        Memory   &memory = *static_cast<Memory *>(solver->content);
+        const int status = Sundials::guarded(memory.exception, [&]() {
+          return memory.solve_stage(Sundials::view(correction));
         });
-        return failure < 0 ? SUN_NLS_EXT_FAIL : status;
+        return memory.exception ? SUN_NLS_EXT_FAIL : status;
       }
 
 
@@ -195,18 +165,13 @@ namespace Tribody
       constexpr double event_tolerance = 1e-10;
       // Steps that are taken to find it; exact ones need half as many.
       constexpr boost::uintmax_t max_retakes = 20;
-
-
-
-      void
-      silent(int, const char *, const char *, char *, void *)
-      {}
     } // namespace
 
 
 
     int
-    ImplicitExtrapolation::Memory::solve_stage(View correction)
+    ImplicitExtrapolation::Memory::solve_stage(
+      Eigen::Map<Eigen::VectorXd> correction)
     {
       // y = prediction + correction, correction = data + gamma W(y).
       double   stage_cycles = 0., gamma = 0.;
@@ -221,17 +186,18 @@ namespace Tribody
                                           &data,
                                           &user_data),
             "ARKStepGetNonlinearSystemData");
-      const Eigen::VectorXd a     = view_of(prediction) + view_of(data);
-      Eigen::VectorXd       guess = y_start;
-      if (slope.size() > 0)
-        guess += (stage_cycles - step_start) * slope;
+      const Eigen::VectorXd a =
+        Sundials::view(prediction) + Sundials::view(data);
+      Eigen::VectorXd guess = y_start;
+      if (lasting.slope.size() > 0)
+        guess += (stage_cycles - step_start) * lasting.slope;
 
       const auto solution = equation.solve_stage(stage_cycles, a, gamma, guess);
       if (!solution.has_value())
         return SUN_NLS_CONV_RECVR;
-      correction = *solution - view_of(prediction);
-      end_rate   = (*solution - a) / gamma;
-      slope      = (*solution - y_start) / (stage_cycles - step_start);
+      correction    = *solution - Sundials::view(prediction);
+      end_rate      = (*solution - a) / gamma;
+      lasting.slope = (*solution - y_start) / (stage_cycles - step_start);
       return SUN_NLS_SUCCESS;
     }
 
@@ -271,7 +237,9 @@ namespace Tribody
       stage_solver->ops->setsysfn = ignore_residual;
       stage_solver->ops->solve    = solve_callback<Memory>;
 
-      check(ARKStepSetErrHandlerFn(arkode, silent, nullptr),
+      check(ARKStepSetErrHandlerFn(arkode,
+                                   Sundials::silent_error_handler,
+                                   nullptr),
             "ARKStepSetErrHandlerFn");
       check(ARKStepSetUserData(arkode, this), "ARKStepSetUserData");
       check(ARKStepWFtolerances(arkode, weight_callback<Memory>),
@@ -290,6 +258,19 @@ namespace Tribody
       // no amplification of what its solution left.
       check(ARKStepSetDeduceImplicitRhs(arkode, SUNTRUE),
             "ARKStepSetDeduceImplicitRhs");
+    }
+
+
+
+    void
+    ImplicitExtrapolation::Memory::release()
+    {
+      ARKStepFree(&arkode);
+      SUNNonlinSolFreeEmpty(stage_solver);
+      N_VDestroy(view);
+      SUNContext_Free(&context);
+      stage_solver = nullptr;
+      view         = nullptr;
     }
 
 
@@ -319,18 +300,16 @@ namespace Tribody
       m.step_start = cycles;
       m.y_start    = y;
       m.start_rate = rate;
-      if (m.arkode == nullptr)
-        {
-          m.create(cycles);
-          const double change = rate.cwiseProduct(weights).norm();
-          if (change > 0.)
-            m.proposal = 1. / change;
-        }
-      else
-        m.check(ARKStepReset(m.arkode, cycles, m.view), "ARKStepReset");
-      if (max_step > 0. && max_step < m.proposal)
-        m.proposal = max_step;
-      m.check(ARKStepSetInitStep(m.arkode, m.proposal), "ARKStepSetInitStep");
+      // Made anew, so that nothing lasts but lasting_memory() tells.
+      m.release();
+      m.create(cycles);
+      double &proposal = m.lasting.proposal;
+      if (const double change = rate.cwiseProduct(weights).norm();
+          proposal == 0. && change > 0.)
+        proposal = 1. / change;
+      if (max_step > 0. && max_step < proposal)
+        proposal = max_step;
+      m.check(ARKStepSetInitStep(m.arkode, proposal), "ARKStepSetInitStep");
     }
 
 
@@ -354,9 +333,10 @@ namespace Tribody
       check(ARKStepGetCurrentStep(arkode, &next_step), "ARKStepGetCurrentStep");
       // A step that was cut short to end where it had to says little about the
       // next one.
-      proposal = last_step < proposal && cycles == end
-                   ? std::max(proposal, next_step)
-                   : next_step;
+      double &proposal = lasting.proposal;
+      proposal         = last_step < proposal && cycles == end
+                           ? std::max(proposal, next_step)
+                           : next_step;
     }
 
 
@@ -498,5 +478,20 @@ namespace Tribody
       return memory->end_rate;
     }
 
+
+
+    const ExtrapolationMemory &
+    ImplicitExtrapolation::lasting_memory() const
+    {
+      return memory->lasting;
+    }
+
+
+
+    void
+    ImplicitExtrapolation::restore(const ExtrapolationMemory &lasting)
+    {
+      memory->lasting = lasting;
+    }
   } // namespace Wear
 } // namespace Tribody

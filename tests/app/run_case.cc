@@ -11,13 +11,13 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <nlohmann/json.hpp>
-
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
+#include <tribody/base/units.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/output/output_directory.h>
+#include <tribody/results/run_results.h>
 #include <tribody/run/wear_simulation.h>
 
 #include <algorithm>
@@ -29,7 +29,8 @@
 #include <map>
 #include <sstream>
 
-using nlohmann::json;
+using namespace Tribody;
+using namespace Tribody::Coupling;
 
 // The column @p name of a CSV file, its comment lines skipped.
 std::vector<double>
@@ -87,14 +88,13 @@ compare_forces(const std::string &reference, const std::string &duty_cycle)
 // 0.7 %, the peak of the four-bar's joint D, which lies between two samples, by
 // 0.6 %, so that the last of three digits need not stay.
 void
-print_forces(const std::string &joint_name,
-             const json        &joint,
-             const std::string &recorded,
-             const unsigned int number)
+print_forces(const Multibody::JointDutyCycle &joint,
+             const std::string               &recorded,
+             const std::size_t                number)
 {
-  const double peak = joint["peak_force_N"];
-  const double mean = joint["mean_force_N"];
-  std::cout << std::defaultfloat << std::setprecision(3) << joint_name;
+  const double peak = joint.peak_force();
+  const double mean = joint.mean_force();
+  std::cout << std::defaultfloat << std::setprecision(3) << joint.name;
   if (std::filesystem::exists(recorded))
     std::cout
       << ": forces within 1 % of those recorded: "
@@ -108,17 +108,15 @@ print_forces(const std::string &joint_name,
 }
 
 void
-compare_peak_and_mean(const std::string &reference, const json &joint)
+compare_peak_and_mean(const std::string               &reference,
+                      const Multibody::JointDutyCycle &joint)
 {
   const double peak = read_column(reference, "peak_force [N]").at(0);
   const double mean = read_column(reference, "mean_force [N]").at(0);
   std::cout << "  reference: peak right to 2e-3: "
-            << (std::abs(joint["peak_force_N"].get<double>() / peak - 1.) <
-                2e-3)
+            << (std::abs(joint.peak_force() / peak - 1.) < 2e-3)
             << ", mean right to 2e-3: "
-            << (std::abs(joint["mean_force_N"].get<double>() / mean - 1.) <
-                2e-3)
-            << std::endl;
+            << (std::abs(joint.mean_force() / mean - 1.) < 2e-3) << std::endl;
 }
 
 // The parts of the wear between angles, beside those that the file expects.
@@ -149,69 +147,63 @@ compare_lobes(const std::string &reference, const std::string &profile)
 }
 
 void
-print_bushing(const json &joint)
+print_bushing(const BushingResults &results,
+              const RunState       &state,
+              const unsigned int    contact_losses)
 {
-  const json  &bushing = joint["bushing"];
-  const double depth   = bushing["max_wear_depth_m"];
-  const double volume  = bushing["worn_volume_m3"];
-  std::cout << std::setprecision(1) << "  depth " << depth * 1e6
-            << " um, volume " << volume * 1e9 << " mm^3, at "
-            << bushing["max_wear_angle_deg"].get<double>()
-            << " deg, half-angle " << std::setprecision(0)
-            << joint["contact_half_angle_deg"].get<double>() << " deg"
+  const SurfaceResults &bushing = results.bushing;
+  const CycleContact   &contact = state.joints[results.number].contact;
+  std::cout << std::setprecision(1) << "  depth "
+            << bushing.max_wear_depth * 1e6 << " um, volume "
+            << bushing.worn_volume * 1e9 << " mm^3, at "
+            << Units::degrees(bushing.max_wear_angle) << " deg, half-angle "
+            << std::setprecision(0)
+            << Units::degrees(contact.at_peak_force().half_angle) << " deg"
             << std::endl;
-  if (bushing.contains("crescent_closed_form"))
-    {
-      const json &crescent = bushing["crescent_closed_form"];
-      std::cout << std::setprecision(1) << "  over crescent: depth "
-                << 100. *
-                     (depth / crescent["max_wear_depth_m"].get<double>() - 1.)
-                << " %, volume "
-                << 100. *
-                     (volume / crescent["worn_volume_m3"].get<double>() - 1.)
-                << " %" << std::endl;
-    }
-  std::cout << "  volume balance below 1e-3: "
-            << (joint["volume_balance_relative_error"] < 1e-3)
-            << ", below 1e-6: "
-            << (joint["volume_balance_relative_error"] < 1e-6)
-            << ", oscillation below 1e-2: "
-            << (bushing["wear_rate_mesh_oscillation"] < 1e-2)
-            << ", losses of contact: " << joint["contact_losses"] << std::endl;
+  if (results.crescent)
+    std::cout
+      << std::setprecision(1) << "  over crescent: depth "
+      << 100. * (bushing.max_wear_depth / results.crescent->max_wear_depth - 1.)
+      << " %, volume "
+      << 100. * (bushing.worn_volume / results.crescent->worn_volume - 1.)
+      << " %" << std::endl;
+  const double balance = bushing.volume_balance_relative_error;
+  std::cout << "  volume balance below 1e-3: " << (balance < 1e-3)
+            << ", below 1e-6: " << (balance < 1e-6)
+            << ", oscillation below 1e-2: " << (results.mesh_oscillation < 1e-2)
+            << ", losses of contact: " << contact_losses << std::endl;
 }
 
 // Of a pin that wears, beside its last profile.
 void
-print_pin(const json &joint, const std::string &directory)
+print_pin(const SurfaceResults &pin,
+          const SurfaceResults &bushing,
+          const std::string    &directory)
 {
-  const json  &pin    = joint["pin"];
-  const double depth  = pin["max_wear_depth_m"];
-  const double volume = pin["worn_volume_m3"];
-  std::string  profile;
+  std::string profile;
   for (const auto &entry : std::filesystem::directory_iterator(directory))
     if (entry.path().filename().string().rfind("pin_profile_", 0) == 0)
       profile = std::max(profile, entry.path().string());
   const auto angles  = read_column(profile, "angle [deg]");
   const auto depths  = read_column(profile, "pin_wear_depth [m]");
   const auto deepest = std::max_element(depths.begin(), depths.end());
-  std::cout << std::setprecision(1) << "  pin: depth " << depth * 1e6
-            << " um, volume over the bushing's " << std::setprecision(4)
-            << volume / joint["bushing"]["worn_volume_m3"].get<double>()
+  std::cout << std::setprecision(1) << "  pin: depth "
+            << pin.max_wear_depth * 1e6 << " um, volume over the bushing's "
+            << std::setprecision(4) << pin.worn_volume / bushing.worn_volume
             << ", volume balance below 1e-6: "
-            << (pin["volume_balance_relative_error"] < 1e-6)
+            << (pin.volume_balance_relative_error < 1e-6)
             << "\n  its profile: " << depths.size()
             << " nodes, depth and angle those of the summary: "
-            << (std::abs(*deepest / depth - 1.) < 1e-6 &&
+            << (std::abs(*deepest / pin.max_wear_depth - 1.) < 1e-6 &&
                 std::abs(angles[deepest - depths.begin()] -
-                         pin["max_wear_angle_deg"].get<double>()) < 1e-6)
+                         Units::degrees(pin.max_wear_angle)) < 1e-6)
             << std::endl;
 }
 
 // Of a run without wear.
 void
-print_energy_balance(const json &dynamics)
+print_energy_balance(const double error)
 {
-  const double     error = dynamics["energy_balance_relative_error"];
   constexpr double bound = 1e-4;
   std::cout << "energy balance in the recorded cycle below 1e-4: ";
   if (error < bound)
@@ -221,11 +213,41 @@ print_energy_balance(const json &dynamics)
               << std::fixed << std::endl;
 }
 
+void
+print_joint(const std::size_t  j,
+            const RunResults  &results,
+            const std::string &reference,
+            const std::string &directory)
+{
+  const Multibody::JointDutyCycle &joint = results.state.duty_cycle.joints[j];
+  const auto is_given                    = [&](const std::string &file_name) {
+    return joint.name == "crank_pin" && std::filesystem::exists(file_name);
+  };
+  print_forces(joint, reference + "_forces.csv", j);
+  if (is_given(reference + ".csv"))
+    compare_forces(reference + ".csv",
+                   directory + "/crank_pin/duty_cycle_0000.csv");
+  if (is_given(reference + "_peak_mean.csv"))
+    compare_peak_and_mean(reference + "_peak_mean.csv", joint);
+  if (const BushingResults *bushing = results.bushing(joint.name))
+    {
+      print_bushing(*bushing,
+                    results.state,
+                    results.state.dynamics.contact_losses[j]);
+      if (bushing->pin)
+        print_pin(*bushing->pin,
+                  bushing->bushing,
+                  directory + "/" + joint.name);
+    }
+  if (is_given(reference + "_lobes.csv"))
+    compare_lobes(reference + "_lobes.csv",
+                  directory + "/crank_pin/profile_0002.csv");
+}
+
 int
 main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  using namespace Tribody;
 
   const std::string name      = std::filesystem::path(argv[1]).stem();
   const std::string directory = name + ".results";
@@ -237,55 +259,34 @@ main(int argc, char **argv)
 
   // The program's own words carry times; they are not compared.
   std::ostringstream screen;
-  std::streambuf    *to_screen = std::cout.rdbuf(screen.rdbuf());
+  RunResults         results;
   try
     {
-      Console                  console(is_first_rank);
-      Coupling::CaseParameters parameters = Coupling::read_case(argv[1], {});
-      Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-      Output::OutputDirectory  output(directory, MPI_COMM_WORLD);
-      simulation.run(output);
+      Console                 console(screen, is_first_rank);
+      const CaseParameters    parameters = read_case(argv[1], {});
+      WearSimulation          simulation(parameters, console, MPI_COMM_WORLD);
+      Output::OutputDirectory output(directory, MPI_COMM_WORLD);
+      results = simulation.run(output);
     }
   catch (const dealii::ExceptionBase &exception)
     {
-      std::cout.rdbuf(to_screen);
       return Ranks::fail(message_of(exception), 1, MPI_COMM_WORLD);
     }
-  std::cout.rdbuf(to_screen);
   if (!is_first_rank)
     return 0;
 
-  const json summary = json::parse(std::ifstream(directory + "/summary.json"));
-  std::cout << std::fixed << std::setprecision(1)
-            << summary["status"].get<std::string>() << " "
-            << summary["cycles"].get<double>() << " cycles in "
-            << summary["counts"]["wear_steps"] << " wear steps; drift below "
-            << "1e-8 m: " << (summary["dynamics"]["constraint_drift_m"] < 1e-8)
-            << ", settled: " << summary["dynamics"]["settled"] << std::endl;
-  if (summary["dynamics"].contains("energy_balance_relative_error"))
-    print_energy_balance(summary["dynamics"]);
-  unsigned int n_printed = 0;
-  for (const auto &[joint_name, joint] : summary["joints"].items())
-    {
-      const std::string reference =
-        std::string(SOURCE_DIR) + "/reference/" + name;
-      print_forces(joint_name, joint, reference + "_forces.csv", n_printed++);
-      if (joint_name == "crank_pin" &&
-          std::filesystem::exists(reference + ".csv"))
-        compare_forces(reference + ".csv",
-                       directory + "/crank_pin/duty_cycle_0000.csv");
-      if (joint_name == "crank_pin" &&
-          std::filesystem::exists(reference + "_peak_mean.csv"))
-        compare_peak_and_mean(reference + "_peak_mean.csv", joint);
-      if (joint.contains("bushing"))
-        {
-          print_bushing(joint);
-          if (joint["pin"].contains("volume_balance_relative_error"))
-            print_pin(joint, directory + "/" + joint_name);
-        }
-      if (joint_name == "crank_pin" &&
-          std::filesystem::exists(reference + "_lobes.csv"))
-        compare_lobes(reference + "_lobes.csv",
-                      directory + "/crank_pin/profile_0002.csv");
-    }
+  const RunState &state = results.state;
+  std::cout << std::fixed << std::setprecision(1) << to_string(results.status)
+            << " " << state.cycles << " cycles in " << state.counts.wear_steps
+            << " wear steps; drift below "
+            << "1e-8 m: " << (state.dynamics.constraint_drift < 1e-8)
+            << ", settled: " << std::boolalpha << state.dynamics.all_settled
+            << std::noboolalpha << std::endl;
+  if (state.duty_cycle.energy.cycle.has_work)
+    print_energy_balance(state.duty_cycle.energy.relative_error);
+  for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
+    print_joint(j,
+                results,
+                std::string(SOURCE_DIR) + "/reference/" + name,
+                directory);
 }

@@ -21,11 +21,23 @@ write(const std::string &name, const std::string &content)
   std::ofstream(name) << content;
 }
 
+enum class Word
+{
+  one,
+  two
+};
+
+ChoiceNames<Word>
+choice_names(const Word)
+{
+  return {{Word::one, "one"}, {Word::two, "two"}};
+}
+
 struct Example
 {
   double                                  radius = 1e-3;
   unsigned int                            n      = 3;
-  std::string                             choice = "one";
+  Word                                    choice = Word::one;
   std::map<std::string, dealii::Point<2>> markers;
 
   void
@@ -34,7 +46,7 @@ struct Example
     prm.enter_subsection("Body crank");
     Parameters::add_quantity(prm, "Radius", radius, "m", "A radius.", "mm");
     Parameters::add_integer(prm, "Number", n, "A number.", 1, 10);
-    Parameters::add_choice(prm, "Choice", choice, {"one", "two"}, "A word.");
+    Parameters::add_choice(prm, "Choice", choice, "A word.");
     Parameters::add_named_points(prm, "Markers", markers, "m", "Points.");
     prm.leave_subsection();
   }
@@ -49,10 +61,10 @@ read(const std::string &file, const std::vector<std::string> &overrides = {})
       Example                  example;
       dealii::ParameterHandler prm;
       example.declare(prm);
-      parameters.apply(prm);
+      parameters.apply(prm, {{"Body", "Bodies"}});
       std::cout << "radius " << example.radius * 1e3 << " mm at "
                 << parameters.location("Body crank/Radius") << ", number "
-                << example.n << ", " << example.choice << ", markers";
+                << example.n << ", " << name_of(example.choice) << ", markers";
       for (const auto &[name, point] : example.markers)
         std::cout << ' ' << name << " (" << point << ")";
       std::cout << std::endl;

@@ -121,7 +121,7 @@ namespace
   }
 
   WearingBushing
-  make_bushing(const std::string &solver, const MPI_Comm &communicator)
+  make_bushing(const StiffnessSolver solver, const MPI_Comm &communicator)
   {
     Multibody::JointParameters joint;
     joint.name             = "pin";
@@ -147,10 +147,11 @@ namespace
     cycle.normal_force          = Eigen::VectorXd::LinSpaced(n, 50., 100.);
     cycle.contact_angle_bushing = Eigen::VectorXd::LinSpaced(n, 0., 6.);
 
-    WearingBushing one = make_bushing("direct", MPI_COMM_SELF);
-    WearingBushing all = make_bushing("multigrid", MPI_COMM_WORLD);
-    CycleContact   contact;
-    double         cycles = 5000.;
+    WearingBushing one = make_bushing(StiffnessSolver::direct, MPI_COMM_SELF);
+    WearingBushing all =
+      make_bushing(StiffnessSolver::multigrid, MPI_COMM_WORLD);
+    CycleContact contact;
+    double       cycles = 5000.;
     for (unsigned int step = 0; step < 3; ++step)
       for (WearingBushing *bushing : {&one, &all})
         {
@@ -194,10 +195,11 @@ main(int argc, char **argv)
     output.open("output");
 
   const Elasticity::RimSupport clamped;
-  const Elasticity::RimSupport springs{"elastic foundation", 1e13, 4e12};
-  const Elasticity::RimShape   circle;
-  Elasticity::RimShape         ellipse;
-  ellipse.kind             = "ellipse";
+  const Elasticity::RimSupport springs{
+    Elasticity::RimSupport::Kind::elastic_foundation, 1e13, 4e12};
+  const Elasticity::RimShape circle;
+  Elasticity::RimShape       ellipse;
+  ellipse.kind             = Elasticity::RimShape::Kind::ellipse;
   ellipse.centre           = {1e-3, -0.5e-3};
   ellipse.second_semi_axis = 14e-3;
   Elasticity::RingMeshParameters ring{32, 4, 1.5};

@@ -68,16 +68,16 @@ namespace
   make_joint()
   {
     Multibody::JointParameters joint;
-    joint.name                    = "joint";
-    joint.pin_marker              = "pin.O";
-    joint.bushing_marker          = "ground.O";
-    joint.model                   = "clearance";
-    joint.pin_radius              = 9.525e-3;
-    joint.bushing_radius          = 9.575e-3;
-    joint.pin_material            = {"steel", 206.8e9, 0.29, 7800.};
-    joint.bushing_material        = {"polymer", 2e9, 0.38, 1200.};
-    joint.contact_force_law       = "finite element";
-    joint.friction_law            = "none";
+    joint.name              = "joint";
+    joint.pin_marker        = "pin.O";
+    joint.bushing_marker    = "ground.O";
+    joint.model             = JointModel::clearance;
+    joint.pin_radius        = 9.525e-3;
+    joint.bushing_radius    = 9.575e-3;
+    joint.pin_material      = {"steel", 206.8e9, 0.29, 7800.};
+    joint.bushing_material  = {"polymer", 2e9, 0.38, 1200.};
+    joint.contact_force_law = ContactForceLawChoice::of<FiniteElementLaw>();
+    joint.friction_law      = FrictionLawChoice::of<NoFriction>();
     joint.restitution_coefficient = 1.;
     return joint;
   }
@@ -118,12 +118,12 @@ namespace
       n_pin_nodes, 0., 2 * M_PI * (n_pin_nodes - 1) / n_pin_nodes);
   }
 
-  ClearanceProfile
+  PeriodicProfile
   pin_worn_on_one_side()
   {
-    return ClearanceProfile(pin_angles(),
-                            largest_recess / 2 *
-                              (1 + (pin_angles().array() - 2.).cos()));
+    return PeriodicProfile(pin_angles(),
+                           largest_recess / 2 *
+                             (1 + (pin_angles().array() - 2.).cos()));
   }
 
   /// Of the energy by place and angle, the angle in units of one that moves the
@@ -149,7 +149,7 @@ namespace
   check_forces(const std::string                 &name,
                const Coupling::ElasticJoint      &joint,
                const Coupling::BushingParameters &bushing,
-               const ClearanceProfile            &pin_wear)
+               const PeriodicProfile             &pin_wear)
   {
     const double                   radius = make_joint().pin_radius;
     const double                   alpha  = 0.3;
@@ -217,8 +217,8 @@ namespace
       joint,
       bushing,
       radius,
-      ClearanceProfile(pin_angles(),
-                       Eigen::VectorXd::Constant(n_pin_nodes, largest_recess)));
+      PeriodicProfile(pin_angles(),
+                      Eigen::VectorXd::Constant(n_pin_nodes, largest_recess)));
     const Coupling::ElasticSupport thin(joint,
                                         bushing,
                                         radius - largest_recess);
@@ -303,7 +303,7 @@ namespace
                                                        bushing,
                                                        element.pin_radius);
     const Multibody::JointCondition condition =
-      element.make_condition(ClearanceProfile(element.nominal_clearance()),
+      element.make_condition(PeriodicProfile(element.nominal_clearance()),
                              support);
     Multibody::PairVector q = Multibody::PairVector::Zero(), v = q;
     q.head<2>() = support->find_position({0., force}, 0.);
@@ -345,7 +345,7 @@ namespace
       const Vector2d                    &velocity,
       const double                       duration,
       const double                       moment_of_inertia = 1e-3,
-      const ClearanceProfile            &pin_wear = ClearanceProfile(0.))
+      const PeriodicProfile             &pin_wear = PeriodicProfile(0.))
   {
     Multibody::MechanismParameters p;
     Multibody::BodyParameters      body;
@@ -411,7 +411,7 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Coupling::BushingParameters        bushing = make_bushing();
   Coupling::ElasticJoint                   joint(bushing, make_joint(), 0.01);
-  check_forces("round", joint, bushing, ClearanceProfile(0.));
+  check_forces("round", joint, bushing, PeriodicProfile(0.));
   check_forces("pin worn", joint, bushing, pin_worn_on_one_side());
   check_evenly_worn_pin(joint, bushing);
   check_against_wear();
@@ -446,6 +446,6 @@ main(int argc, char **argv)
   check_friction_moment(joint, bushing);
 
   joint.update(make_worn(joint));
-  check_forces("worn", joint, bushing, ClearanceProfile(0.));
+  check_forces("worn", joint, bushing, PeriodicProfile(0.));
   check_forces("both worn", joint, bushing, pin_worn_on_one_side());
 }

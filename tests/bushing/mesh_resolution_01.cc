@@ -17,7 +17,7 @@
 
 #include <tribody/bushing/mesh_resolution.h>
 #include <tribody/stepping/coarse_run.h>
-#include <tribody/stepping/make_jump.h>
+#include <tribody/stepping/wear_process.h>
 
 #include <cmath>
 #include <iomanip>
@@ -55,11 +55,11 @@ struct Case
   }
 
   /// With a mesh of so many nodes across the contact.
-  std::list<WearingBushing>
+  std::deque<WearingBushing>
   make(const unsigned int n_contact_nodes)
   {
     bushing.mesh.n_contact_nodes = n_contact_nodes;
-    std::list<WearingBushing> bushings;
+    std::deque<WearingBushing> bushings;
     bushings.emplace_back(resolve_contact_arc(bushing,
                                               joint,
                                               make_duty_cycle().joints[0]),
@@ -89,16 +89,15 @@ check(const double clearance)
             << 1e-6 * exact << " MPa" << std::endl;
   for (const unsigned int n : {10, 20, 40})
     {
-      std::list<WearingBushing> bushings = joint.make(n);
-      RunState                  state;
-      state.duty_cycle            = make_duty_cycle();
-      state.contacts              = {solve(bushings.front())};
-      const CycleContact &contact = state.contacts[0];
+      const WearParameters wear;
+      WearProcess          process(wear, joint.make(n));
+      process.renew_duty_cycle(make_duty_cycle());
+      process.solve_contacts();
+      const CycleContact &contact = process.state().joints[0].contact;
 
-      WearParameters wear;
-      CoarseRun      coarse(wear, bushings);
-      coarse.start(state, bushings);
-      const MeshError estimate = coarse.compare(bushings)[0];
+      CoarseRun coarse(wear, process.bushings());
+      coarse.start(process);
+      const MeshError estimate = coarse.mesh_errors()[0];
       const double    error    = std::abs(contact.max_pressure / exact - 1.);
       const double    across   = contact.at_peak_force().active_set.size();
       std::cout << "  " << n << " nodes asked for: "
@@ -113,39 +112,33 @@ check(const double clearance)
 
 /// Depth after 2000 cycles [um], and its estimated error by the mesh [-].
 std::pair<double, double>
-wear_out(std::list<WearingBushing> &bushings)
+wear_out(std::deque<WearingBushing> &&bushings)
 {
-  RunState state;
-  state.duty_cycle = make_duty_cycle();
-  state.contacts   = {solve(bushings.front())};
-  state.totals.resize(1);
   WearParameters wear;
-  wear.mesh_error_estimate = "whole run";
-  CoarseRun coarse(wear, bushings);
-  coarse.start(state, bushings);
-  const StopConditions no_conditions(bushings);
-  const auto           jump = make_jump(wear, bushings, no_conditions);
-  while (state.cycles < 2000.)
+  wear.mesh_error_estimate = MeshErrorEstimate::whole_run;
+  WearProcess process(wear, std::move(bushings));
+  process.renew_duty_cycle(make_duty_cycle());
+  process.solve_contacts();
+  CoarseRun coarse(wear, process.bushings());
+  coarse.start(process);
+  while (process.state().cycles < 2000.)
     {
-      const double before = state.cycles;
-      jump->advance(state, 2000.);
-      coarse.follow(state.duty_cycle, state.cycles);
-      state.contacts = {solve(bushings.front())};
-      jump->estimate_error(state.contacts, state.cycles - before);
+      const double begin = process.state().cycles;
+      process.take_step(2000.);
+      coarse.follow(process);
+      process.complete_step(begin);
     }
-  return {1e6 * bushings.front().profile().max_depth(),
-          coarse.compare(bushings)[0].wear_depth};
+  return {1e6 * process.bushings().front().profile().max_depth(),
+          coarse.mesh_errors()[0].wear_depth};
 }
 
 void
 check_run()
 {
-  Case                      joint(10e-6);
-  std::list<WearingBushing> finer    = joint.make(80);
-  std::list<WearingBushing> bushings = joint.make(20);
-  const double              exact    = wear_out(finer).first;
-  const auto [depth, estimate]       = wear_out(bushings);
-  const double error                 = std::abs(depth / exact - 1.);
+  Case         joint(10e-6);
+  const double exact           = wear_out(joint.make(80)).first;
+  const auto [depth, estimate] = wear_out(joint.make(20));
+  const double error           = std::abs(depth / exact - 1.);
   std::cout << "after 2000 cycles: depth " << exact << " um, error "
             << 1e3 * error << "e-3, estimate " << 1e3 * estimate
             << "e-3; bounds it " << (estimate > error / 3.) << std::endl;

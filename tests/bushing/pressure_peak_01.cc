@@ -47,7 +47,7 @@ const std::string references =
 
 struct Joint
 {
-  Joint(const std::string &model, const double clearance)
+  Joint(const PressureModel model, const double clearance)
   {
     joint.name                = "pin";
     joint.bushing_radius      = R;
@@ -57,7 +57,7 @@ struct Joint
     bushing.name              = joint.name;
     bushing.outer_radius      = 15.875e-3;
     bushing.pressure_model    = model;
-    bushing.pin               = "rigid";
+    bushing.pin               = PinModel::rigid;
     bushing.mesh.n_bore_cells = 120;
   }
 
@@ -108,9 +108,9 @@ check_persson()
         continue;
       const double load  = plane_modulus * clearance / row[0];
       const double known = row.at(2) * load / R;
-      Joint        plate("infinite plate", clearance);
+      Joint        plate(PressureModel::infinite_plate, clearance);
       const double rigid       = plate.peak_pressure(load);
-      plate.bushing.pin        = "elastic";
+      plate.bushing.pin        = PinModel::elastic;
       plate.joint.pin_material = plastic;
       std::ostringstream name;
       name << ", E' dR/Q " << row[0];
@@ -119,7 +119,7 @@ check_persson()
              rigid,
              known);
       Joint ring                       = plate;
-      ring.bushing.pressure_model      = "finite element";
+      ring.bushing.pressure_model      = PressureModel::finite_element;
       ring.bushing.outer_radius        = 100. * R;
       ring.bushing.mesh.n_radial_cells = 27;
       ring.bushing.mesh.grading        = 4.5;
@@ -134,8 +134,8 @@ void
 check_winkler()
 {
   const double nu = plastic.poissons_ratio, clearance = 1e-4 * R;
-  Joint        layer("Winkler layer", clearance);
-  Joint        plate("infinite plate", clearance);
+  Joint        layer(PressureModel::winkler_layer, clearance);
+  Joint        plate(PressureModel::infinite_plate, clearance);
   const double k =
     plastic.youngs_modulus * (1. - nu) /
     ((1. + nu) * (1. - 2. * nu) * (layer.bushing.outer_radius - R));
@@ -162,7 +162,8 @@ check_winkler()
 void
 check_validation_joint()
 {
-  const Joint ring("finite element", 10e-6), plate("infinite plate", 10e-6);
+  const Joint ring(PressureModel::finite_element, 10e-6),
+    plate(PressureModel::infinite_plate, 10e-6);
   for (const auto &row :
        read_reference_table(references + "bushing_contact.csv"))
     {
@@ -178,13 +179,14 @@ check_validation_joint()
 void
 check_mesh_file()
 {
-  Joint ring("finite element", 10e-6);
+  Joint ring(PressureModel::finite_element, 10e-6);
   ring.bushing.mesh.n_bore_cells   = 48;
   ring.bushing.mesh.n_radial_cells = 4;
   Joint from_file                  = ring;
   from_file.bushing.mesh_file      = {
          std::string(SOURCE_DIR) + "/../app/ring.msh", 1, 2, 1e-3, 1};
-  from_file.bushing.rim_support.kind             = "elastic foundation";
+  from_file.bushing.rim_support.kind =
+    Elasticity::RimSupport::Kind::elastic_foundation;
   from_file.bushing.rim_support.normal_stiffness = 1e15;
   Joint soft                                     = from_file;
   soft.bushing.rim_support.normal_stiffness      = 2e10;

@@ -223,7 +223,7 @@ test_contact()
 void
 test_tight_pin()
 {
-  const Bushing ring(480, {"housing", 0., 0., 0.});
+  const Bushing ring(480, {Elasticity::RimSupport::Kind::housing, 0., 0., 0.});
   ContactSolver solver(
     ring.bore,
     ring.elasticity->bore_and_rim_compliance(ring.bore.normals, MPI_COMM_SELF),
@@ -253,7 +253,7 @@ main(int argc, char **argv)
     scale.asDiagonal() * Bushing(720).compliance() * scale.asDiagonal();
   test_solve("uneven bore", uneven, 1e-11);
 
-  const Bushing ring(240, {"housing", 0., 0., 0.});
+  const Bushing ring(240, {Elasticity::RimSupport::Kind::housing, 0., 0., 0.});
   test_solve("ring in a housing",
              ring.elasticity->bore_and_rim_compliance(ring.bore.normals,
                                                       MPI_COMM_SELF),

@@ -60,11 +60,12 @@ struct Ring
     : outer_radius(b)
   {
     make_ring_mesh(mesh, a, b, triangulation);
-    BushingElasticity elasticity(triangulation,
-                                 degree,
-                                 material,
-                                 PlaneState::strain,
-                                 {"housing", 0., 0., 0.});
+    BushingElasticity elasticity(
+      triangulation,
+      degree,
+      material,
+      PlaneState::strain,
+      {Elasticity::RimSupport::Kind::housing, 0., 0., 0.});
     elasticity.reinit(dealii::MappingQ<2>(degree));
     bore = make_bore_surface(elasticity.bore_nodes().positions, degree);
     rim  = elasticity.rim_surface();
@@ -110,14 +111,14 @@ uncondensed_error(const Ring            &ring,
                   const double           pin_radius,
                   const double           gap)
 {
-  BushingElasticity elasticity(ring.triangulation,
-                               degree,
-                               plastic,
-                               PlaneState::strain,
-                               {"elastic foundation",
-                                1e-8 * plastic.youngs_modulus /
-                                  ring.outer_radius,
-                                0.});
+  BushingElasticity elasticity(
+    ring.triangulation,
+    degree,
+    plastic,
+    PlaneState::strain,
+    {Elasticity::RimSupport::Kind::elastic_foundation,
+     1e-8 * plastic.youngs_modulus / ring.outer_radius,
+     0.});
   elasticity.reinit(dealii::MappingQ<2>(degree));
   const BoreNodes &bore = elasticity.bore_nodes();
   const BoreNodes  rim =

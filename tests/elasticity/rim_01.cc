@@ -58,7 +58,9 @@ check_foundation(const double k_n, const double k_t)
                                2,
                                material,
                                PlaneState::strain,
-                               {"elastic foundation", k_n, k_t});
+                               {RimSupport::Kind::elastic_foundation,
+                                k_n,
+                                k_t});
   elasticity.reinit(dealii::MappingQ<2>(2));
   const BoreSurface surface =
     make_bore_surface(elasticity.bore_nodes().positions, 2);
@@ -105,7 +107,7 @@ check_stiff_foundation()
   const Eigen::MatrixXd clamped = compliance(triangulation, {});
   // A thousand times E per mm would give way by 1e-3.
   const Eigen::MatrixXd stiff =
-    compliance(triangulation, {"elastic foundation", 1e20, 0.});
+    compliance(triangulation, {RimSupport::Kind::elastic_foundation, 1e20, 0.});
   std::cout << "stiff foundation is clamped, to 1e-5: "
             << ((stiff - clamped).norm() < 1e-5 * clamped.norm()) << std::endl;
 }
@@ -133,11 +135,12 @@ check_shape(const RimShape &shape, const double outer_radius)
         cosines.squaredNorm();
       worst = std::max(worst, std::abs(amplitude / exact - 1.));
     }
-  const double second =
-    shape.kind == "ellipse" ? shape.second_semi_axis : outer_radius;
-  const double area = M_PI * (outer_radius * second - a * a);
+  const double second = shape.kind == RimShape::Kind::ellipse
+                          ? shape.second_semi_axis
+                          : outer_radius;
+  const double area   = M_PI * (outer_radius * second - a * a);
   std::cout
-    << shape.kind << ", centre " << 1e3 * shape.centre
+    << name_of(shape.kind) << ", centre " << 1e3 * shape.centre
     << " mm: harmonics within " << 1e3 * worst << "e-3"
     << ", area within 1e-6 "
     << (std::abs(
@@ -154,7 +157,7 @@ void
 check_turned_ellipse()
 {
   dealii::Triangulation<2> along_x, along_y;
-  RimShape                 shape{"ellipse", {}, 14e-3};
+  RimShape                 shape{RimShape::Kind::ellipse, {}, 14e-3};
   make_ring_mesh({48, 4, 1.}, a, 18e-3, shape, along_x);
   shape.second_semi_axis = 18e-3;
   make_ring_mesh({48, 4, 1.}, a, 14e-3, shape, along_y);

@@ -74,7 +74,7 @@ revolute(const std::string &name,
 
 JointParameters
 joint(const std::string &name,
-      const std::string &type,
+      const JointType    type,
       const std::string &first,
       const std::string &second,
       const double       axis = 0.)
@@ -100,7 +100,7 @@ motor(const std::string &name, const double speed)
 
 DutyCycle
 run(const MechanismParameters &p,
-    const std::string         &analysis,
+    const Analysis             analysis,
     const double               duration = 0.,
     const double               accuracy = 3e-4)
 {
@@ -138,14 +138,15 @@ scotch_yoke()
 {
   const double        r = 0.05, w = 20 * M_PI, m = 0.5;
   MechanismParameters p;
-  p.bodies  = {body("crank", 0.2, 1e-4, {{"O", {}}, {"A", {r, 0.}}}),
-               body("yoke", m, 1e-3, {{"slot", {}}}, {r, 0.})};
-  p.joints  = {revolute("pin", "ground.O", "crank.O"),
-               joint("slot", "point on line", "yoke.slot", "crank.A", M_PI / 2),
-               joint("guide", "translational", "ground.O", "yoke.slot")};
+  p.bodies = {body("crank", 0.2, 1e-4, {{"O", {}}, {"A", {r, 0.}}}),
+              body("yoke", m, 1e-3, {{"slot", {}}}, {r, 0.})};
+  p.joints = {
+    revolute("pin", "ground.O", "crank.O"),
+    joint("slot", JointType::point_on_line, "yoke.slot", "crank.A", M_PI / 2),
+    joint("guide", JointType::translational, "ground.O", "yoke.slot")};
   p.drivers = {motor("crank", w)};
 
-  const DutyCycle cycle = run(p, "inverse dynamics");
+  const DutyCycle cycle = run(p, Analysis::inverse_dynamics);
   double          x = 0., v = 0., a = 0., f = 0.;
   for (unsigned int s = 0; s < cycle.time.size(); ++s)
     {
@@ -236,7 +237,7 @@ void
 check_four_bar()
 {
   const double    w     = 10 * M_PI;
-  const DutyCycle cycle = run(four_bar(0.), "kinematic");
+  const DutyCycle cycle = run(four_bar(0.), Analysis::kinematic);
   double          x = 0., v = 0., a = 0.;
   for (unsigned int s = 0; s < cycle.time.size(); ++s)
     {
@@ -257,8 +258,8 @@ check_four_bar()
                cycle.joint("B").peak_force(),
                1);
 
-  const DutyCycle inverse    = run(four_bar(), "inverse dynamics");
-  const DutyCycle integrated = run(four_bar(), "dynamic");
+  const DutyCycle inverse    = run(four_bar(), Analysis::inverse_dynamics);
+  const DutyCycle integrated = run(four_bar(), Analysis::dynamic);
   double          f          = 0.;
   for (const std::string name : {"A", "B", "C", "D"})
     f = std::max(f,
@@ -271,7 +272,7 @@ check_four_bar()
   // it as at tiny masses.
   MechanismParameters light = four_bar();
   light.bodies[1].mass = light.bodies[1].moment_of_inertia = 0.;
-  const DutyCycle massless = run(light, "inverse dynamics");
+  const DutyCycle massless = run(light, Analysis::inverse_dynamics);
   double          turn     = 0.;
   for (unsigned int s = 0; s < massless.time.size(); ++s)
     {
@@ -288,7 +289,7 @@ check_four_bar()
   // The same while it moves freely: crank and rocker carry it along.
   light.drivers.clear();
   report_below("  free motion: constraint drift [nm]",
-               1e9 * run(light, "dynamic", 0.5).constraint_drift,
+               1e9 * run(light, Analysis::dynamic, 0.5).constraint_drift,
                10.);
 
   MechanismParameters rough = four_bar();
@@ -312,10 +313,10 @@ expressions()
   const double        m = 3., a = 0.02, w = 30.;
   MechanismParameters p;
   p.bodies = {body("mass", m, 1., {{"O", {}}}, {0.3, 0.})};
-  p.joints = {joint("slide", "translational", "ground.O", "mass.O")};
+  p.joints = {joint("slide", JointType::translational, "ground.O", "mass.O")};
   DriverParameters push;
   push.name               = "push";
-  push.type               = "distance";
+  push.type               = DriverType::distance;
   push.first_marker       = "ground.W";
   push.second_marker      = "mass.O";
   push.initial_distance   = 0.5;
@@ -351,8 +352,8 @@ expressions()
   q.drivers = {motor("bar", 0.)};
   q.drivers[0].angle_amplitude = swing;
   q.drivers[0].time_function   = "sin(30*t)";
-  const DutyCycle cycle        = run(q, "inverse dynamics", 2 * M_PI / w);
-  double          error        = 0.;
+  const DutyCycle cycle = run(q, Analysis::inverse_dynamics, 2 * M_PI / w);
+  double          error = 0.;
   for (unsigned int s = 0; s < cycle.time.size(); ++s)
     {
       const double          phase  = w * cycle.time(s);
@@ -373,11 +374,11 @@ expressions()
                1e-9);
   expect_error("unbalanced bracket", [&q]() {
     q.drivers[0].time_function = "sin(30*t";
-    run(q, "inverse dynamics", 1.);
+    run(q, Analysis::inverse_dynamics, 1.);
   });
   expect_error("no cycle", [&q]() {
     q.drivers[0].time_function = "sin(30*t)";
-    run(q, "inverse dynamics");
+    run(q, Analysis::inverse_dynamics);
   });
 }
 
@@ -404,7 +405,7 @@ statics()
   p.joints = {revolute("O", "ground.O", "crank.O"),
               revolute("A", "crank.A", "rod.A"),
               revolute("B", "rod.B", "slider.B"),
-              joint("guide", "translational", "ground.O", "slider.B")};
+              joint("guide", JointType::translational, "ground.O", "slider.B")};
   TorqueParameters drive;
   drive.name   = "drive";
   drive.body   = "crank";
@@ -421,7 +422,7 @@ statics()
   p.springs                        = {spring};
   // Off the equilibrium.
   p.bodies[0].initial_angle += 0.3;
-  const DutyCycle still = run(p, "static equilibrium");
+  const DutyCycle still = run(p, Analysis::static_equilibrium);
   report_below("slider-crank: crank angle",
                std::abs(still.coordinates(2, 0) - phi),
                1e-9);
@@ -435,7 +436,7 @@ statics()
   q.gravity        = {0., -g};
   q.bodies         = {body("bar", 2., 0.1, {{"O", {0., -0.5}}}, {0., 0.5})};
   q.joints         = {revolute("pin", "ground.O", "bar.O")};
-  DutyCycle fallen = run(q, "static equilibrium");
+  DutyCycle fallen = run(q, Analysis::static_equilibrium);
   report_below("pendulum: falls to the bottom",
                std::abs(fallen.coordinates(1, 0) + 0.5),
                1e-12);
@@ -445,7 +446,7 @@ statics()
   hold.stiffness       = 30.;
   hold.reference_angle = -0.4;
   q.rotational_springs = {hold};
-  fallen               = run(q, "static equilibrium");
+  fallen               = run(q, Analysis::static_equilibrium);
   const double angle   = fallen.coordinates(2, 0);
   report_below("  leans against its spring: torque left [N m]",
                std::abs(30 * (angle + 0.4) - 2 * g * 0.5 * std::sin(angle)),
@@ -456,7 +457,7 @@ statics()
   DynamicsParameters rest;
   rest.cycle_duration          = 1.;
   rest.maximum_settling_cycles = 0;
-  rest.start                   = "static equilibrium";
+  rest.start                   = MotionStart::static_equilibrium;
   q.bodies[0].initial_angle    = 0.5;
   const Mechanism at_rest(q);
   report_below("  started there: largest angular velocity",
@@ -468,7 +469,7 @@ statics()
 
   // The ground's forces carry the weight of a four-bar in all positions of its
   // motor, whose moment they do not know.
-  const DutyCycle turned_slowly = run(four_bar(), "static equilibrium");
+  const DutyCycle turned_slowly = run(four_bar(), Analysis::static_equilibrium);
   const double    weight        = (0.05 + 0.14 + 0.11) * g;
   report_below("four-bar: relative error of the weight carried",
                ((turned_slowly.joint("A").force_y.array() +
@@ -491,15 +492,15 @@ statics()
   h.gravity                         = {0., -g};
   h.bodies                          = {body("load", 20., 1., {{"O", {}}})};
   JointParameters loose             = revolute("joint", "load.O", "ground.O");
-  loose.model                       = "clearance";
-  loose.contact_force_law           = "Hertz";
+  loose.model                       = JointModel::clearance;
+  loose.contact_force_law           = ContactForceLawChoice::of<HertzLaw>();
   loose.pin_radius                  = 19e-3;
   loose.bushing_radius              = 20e-3;
   loose.pin_material.youngs_modulus = 206.8e9;
   loose.pin_material.poissons_ratio = 0.29;
   loose.bushing_material            = loose.pin_material;
   h.joints                          = {loose};
-  const DutyCycle hanging           = run(h, "static equilibrium");
+  const DutyCycle hanging           = run(h, Analysis::static_equilibrium);
   report_below("loose pin: relative error of the contact force",
                std::abs(hanging.joint("joint").normal_force(0) / (20 * g) - 1),
                1e-8);
@@ -516,7 +517,7 @@ statics()
     twist.body    = "wheel";
     twist.torque  = 1.;
     wheel.torques = {twist};
-    run(wheel, "static equilibrium");
+    run(wheel, Analysis::static_equilibrium);
   });
 }
 
@@ -548,7 +549,7 @@ starts()
   report_below("others are projected", (phi_q * v).norm(), 1e-12);
   p.bodies[0].initial_velocity = {l * rate, 0.};
   // Period about 1.7 s: the highest point is in the first second.
-  const DutyCycle cycle  = run(p, "dynamic", 1., 1e-5);
+  const DutyCycle cycle  = run(p, Analysis::dynamic, 1., 1e-5);
   double          error  = 0.;
   const double    energy = (m * l * l + inertia) * rate * rate / 2 - m * g * l;
   for (unsigned int s = 0; s < cycle.time.size(); ++s)
@@ -575,7 +576,7 @@ errors()
   expect_error("kinematic with freedom", []() {
     MechanismParameters p = four_bar();
     p.drivers.clear();
-    run(p, "kinematic", 1.);
+    run(p, Analysis::kinematic, 1.);
   });
   expect_error("massless and free", []() {
     MechanismParameters p = four_bar();
@@ -583,7 +584,7 @@ errors()
     p.joints.pop_back();
     p.bodies[2].moment_of_inertia = 0.;
     p.bodies[2].mass              = 0.;
-    run(p, "dynamic", 1.);
+    run(p, Analysis::dynamic, 1.);
   });
   expect_error("parallelogram through its change point", []() {
     MechanismParameters p     = four_bar();
@@ -592,7 +593,7 @@ errors()
     p.bodies[0].initial_angle = p.bodies[2].initial_angle = 1.;
     p.bodies[1].initial_angle                             = 0.;
     p.drivers[0].initial_angle                            = M_PI / 3;
-    run(p, "inverse dynamics");
+    run(p, Analysis::inverse_dynamics);
   });
   // A bar of 0.3 m on a pin of the ground, its end held by a second bar of
   // 0.2 m, that an actuator pulls out of reach.
@@ -605,7 +606,7 @@ errors()
                 revolute("A", "bar.A", "end.A")};
     DriverParameters pull;
     pull.name             = "pull";
-    pull.type             = "distance";
+    pull.type             = DriverType::distance;
     pull.first_marker     = "ground.O";
     pull.second_marker    = "end.B";
     pull.initial_distance = 0.4;
@@ -613,7 +614,7 @@ errors()
     p.drivers             = {pull};
     try
       {
-        run(p, "dynamic", 1.);
+        run(p, Analysis::dynamic, 1.);
       }
     catch (const ExcRun &error)
       {

@@ -99,7 +99,7 @@ ptfe(const std::vector<unsigned int> &joints, const double bound)
 
 // The bore of a validation mechanism after wear: the pin has sunk into it by
 // depth in the direction of angle.
-ClearanceProfile
+PeriodicProfile
 sunk_profile(const MechanismParameters &p,
              const double               depth,
              const double               angle)
@@ -119,7 +119,7 @@ sunk_profile(const MechanismParameters &p,
                  e * std::cos(x) +
                    std::sqrt(r * r - e * e * std::sin(x) * std::sin(x)) - r);
     }
-  return ClearanceProfile(angles, clearances);
+  return PeriodicProfile(angles, clearances);
 }
 
 // The pin has sunk into the bore by 0.45 mm on the side of the load. The force

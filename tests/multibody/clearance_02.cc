@@ -22,7 +22,7 @@ crank_pin()
   DynamicsParameters dynamics;
   dynamics.accuracy                = 1e-4;
   dynamics.maximum_order           = 5;
-  dynamics.start                   = "centred";
+  dynamics.start                   = MotionStart::centred;
   dynamics.maximum_settling_cycles = 1;
   dynamics.averaged_cycles         = 1;
   // So that the peak is met.

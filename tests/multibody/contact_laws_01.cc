@@ -48,7 +48,7 @@ loose_pin(const JointParameters &law)
   p.bodies              = {pin};
   JointParameters joint = law;
   joint.name            = "joint";
-  joint.model           = "clearance";
+  joint.model           = JointModel::clearance;
   joint.pin_marker      = "pin.O";
   joint.bushing_marker  = "ground.O";
   joint.pin_radius      = 19e-3;
@@ -96,7 +96,7 @@ JointParameters
 law_named(const std::string &name, const double restitution)
 {
   JointParameters law;
-  law.contact_force_law       = name;
+  set_choice(law.contact_force_law, name);
   law.restitution_coefficient = restitution;
   law.contact_stiffness       = 1e8;
   return law;

@@ -122,7 +122,7 @@ average_of_other_motion()
   add_steel_clearance(p, 1, 25e-3);
   const Mechanism    mechanism(p);
   DynamicsParameters dynamics;
-  dynamics.start                   = "centred";
+  dynamics.start                   = MotionStart::centred;
   dynamics.maximum_settling_cycles = 1;
   dynamics.averaged_cycles         = 5;
   const DutyCycle       cycle      = CycleSimulation(mechanism, dynamics).run();

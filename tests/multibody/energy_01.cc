@@ -75,9 +75,9 @@ free_impact(const std::string &law, const double e_r)
   p.bodies               = {body};
   p.joints               = {joint_between("joint", "pin.O", "ground.O")};
   add_steel_clearance(p, 0, 21e-3);
-  p.joints[0].contact_force_law       = law;
+  set_choice(p.joints[0].contact_force_law, law);
   p.joints[0].restitution_coefficient = e_r;
-  p.joints[0].friction_law            = "none";
+  p.joints[0].friction_law            = FrictionLawChoice::of<NoFriction>();
   const Mechanism         mechanism(p);
   const Mechanism         closed(with_ideal_joints(p));
   const EquationsOfMotion equations(mechanism, nominal_clearances(mechanism));
@@ -142,7 +142,7 @@ oscillator()
   p.bodies              = {body};
   JointParameters guide;
   guide.name          = "guide";
-  guide.type          = "translational";
+  guide.type          = JointType::translational;
   guide.first_marker  = "ground.O";
   guide.second_marker = "slider.B";
   p.joints            = {guide};
@@ -209,7 +209,7 @@ driven_bar()
   motor.speed = 2.;
   p.drivers   = {motor};
   DynamicsParameters dynamics;
-  dynamics.energy_balance = "always";
+  dynamics.energy_balance = EnergyBalance::always;
   const Mechanism mechanism(p);
   const DutyCycle cycle = CycleSimulation(mechanism, dynamics).run();
   const double    mgs   = 16. * g * 0.4;
@@ -238,7 +238,7 @@ void
 balance(const std::string         &title,
         const MechanismParameters &p,
         const double               accuracy,
-        const std::string         &start = "slow motion",
+        const MotionStart          start = MotionStart::slow_motion,
         const unsigned int         order = 0)
 {
   DynamicsParameters dynamics;
@@ -247,7 +247,7 @@ balance(const std::string         &title,
   dynamics.maximum_order           = order;
   dynamics.maximum_settling_cycles = 4;
   dynamics.averaged_cycles         = 5;
-  dynamics.energy_balance          = "always";
+  dynamics.energy_balance          = EnergyBalance::always;
   const Mechanism mechanism(p);
   const DutyCycle cycle = CycleSimulation(mechanism, dynamics).run();
   std::cout << title << std::endl;
@@ -259,7 +259,7 @@ balance(const std::string         &title,
                1e-4);
   Eigen::Index n_clearance_joints = 0;
   for (const JointDutyCycle &joint : cycle.joints)
-    if (joint.has_clearance)
+    if (joint.has_gap)
       {
         const double loss =
           cycle.energy.cycle.friction_loss[n_clearance_joints++];
@@ -292,7 +292,8 @@ main()
   balance("steel, 0.5 um", p, 1e-5);
   p = steel(1);
   add_steel_clearance(p, 1, 25e-3);
-  balance("steel, 5 mm, impacts at the start", p, 1e-5, "centred", 5);
+  balance(
+    "steel, 5 mm, impacts at the start", p, 1e-5, MotionStart::centred, 5);
   p = steel(1);
   add_steel_clearance(p, 2, 25e-3);
   balance("steel, 5 mm in the wrist pin, impacts in each cycle", p, 1e-4);

@@ -25,7 +25,7 @@
 #include <tribody/multibody/elements/spring.h>
 #include <tribody/multibody/elements/translational_constraint.h>
 #include <tribody/multibody/joints/clearance_joint.h>
-#include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/periodic_profile.h>
 
 #include <functional>
 #include <sstream>
@@ -269,25 +269,25 @@ check_spring()
                1e-7);
 }
 
-ClearanceProfile
+PeriodicProfile
 worn_profile(const unsigned int n)
 {
   const Eigen::VectorXd angles =
     Eigen::VectorXd::LinSpaced(n, 0., 2 * M_PI * (n - 1) / n);
-  return ClearanceProfile(angles,
-                          1e-5 * (1 + 0.3 * (2 * angles.array()).sin() +
-                                  0.2 * angles.array().cos()));
+  return PeriodicProfile(angles,
+                         1e-5 * (1 + 0.3 * (2 * angles.array()).sin() +
+                                 0.2 * angles.array().cos()));
 }
 
 // Worn by up to 0.4 mm about the angle 2.6.
-ClearanceProfile
+PeriodicProfile
 deeply_worn_profile()
 {
   const int             n = 360;
   const Eigen::VectorXd angles =
     Eigen::VectorXd::LinSpaced(n, 0., 2 * M_PI * (n - 1) / n);
-  return ClearanceProfile(angles,
-                          1e-5 + 0.2e-3 * (1 + (angles.array() - 2.6).cos()));
+  return PeriodicProfile(angles,
+                         1e-5 + 0.2e-3 * (1 + (angles.array() - 2.6).cos()));
 }
 
 // Springs all around the bore, which press where the pin overlaps a round bore,
@@ -370,7 +370,7 @@ make_surfaces(const Surfaces surfaces, ClearanceJoint &joint)
     {
       joint.contact_law = FiniteElementLaw{0.7};
       return joint.make_condition(
-        ClearanceProfile(joint.nominal_clearance()),
+        PeriodicProfile(joint.nominal_clearance()),
         std::make_shared<SpringRing>(joint.bushing_radius,
                                      joint.pin_radius,
                                      surfaces == Surfaces::elastic_with_worn_pin
@@ -475,19 +475,19 @@ check_profile()
   double errors[2][3];
   for (const unsigned int i : {0, 1})
     {
-      const ClearanceProfile profile = worn_profile(90 * (i + 1));
+      const PeriodicProfile profile = worn_profile(90 * (i + 1));
       for (double &error : errors[i])
         error = 0.;
       for (double x = -7.; x < 13.; x += 0.0137)
         {
-          const ClearanceProfile::Values c        = profile.evaluate(x);
-          const double                   exact[3] = {1 + 0.3 * std::sin(2 * x) +
-                                                       0.2 * std::cos(x),
-                                                     0.6 * std::cos(2 * x) - 0.2 * std::sin(x),
-                                                     -1.2 * std::sin(2 * x) - 0.2 * std::cos(x)};
-          const double                   found[3] = {1e5 * c.clearance,
-                                                     1e5 * c.first_derivative,
-                                                     1e5 * c.second_derivative};
+          const PeriodicProfile::Values c        = profile.evaluate(x);
+          const double                  exact[3] = {1 + 0.3 * std::sin(2 * x) +
+                                                      0.2 * std::cos(x),
+                                                    0.6 * std::cos(2 * x) - 0.2 * std::sin(x),
+                                                    -1.2 * std::sin(2 * x) - 0.2 * std::cos(x)};
+          const double                  found[3] = {1e5 * c.value,
+                                                    1e5 * c.first_derivative,
+                                                    1e5 * c.second_derivative};
           for (const unsigned int k : {0, 1, 2})
             errors[i][k] =
               std::max(errors[i][k], std::abs(found[k] - exact[k]));
@@ -502,11 +502,11 @@ check_profile()
   // Nodes that are not equidistant.
   const Eigen::VectorXd even =
     Eigen::VectorXd::LinSpaced(200, 0., 2 * M_PI * 199 / 200);
-  const Eigen::VectorXd  uneven = even.array() + 0.1 * even.array().sin();
-  const ClearanceProfile profile(uneven, 1 + uneven.array().cos());
-  double                 error = 0.;
+  const Eigen::VectorXd uneven = even.array() + 0.1 * even.array().sin();
+  const PeriodicProfile profile(uneven, 1 + uneven.array().cos());
+  double                error = 0.;
   for (double x = -7.; x < 13.; x += 0.0137)
-    error = std::max(error, std::abs(profile.clearance(x) - 1 - std::cos(x)));
+    error = std::max(error, std::abs(profile.value(x) - 1 - std::cos(x)));
   report_below("  error with uneven nodes", error, 1e-3);
 }
 
@@ -515,20 +515,19 @@ check_profile()
 void
 check_friction_state()
 {
-  ClearanceJoint joint       = {"joint",
-                                {0, 1},
-                                {0., 0.},
-                                {0., 0.},
-                                9.525e-3,
-                                9.535e-3,
-                                LankaraniNikraveshLaw{1.5e7, 0.7},
-                                LuGreFriction{{0.1, 0.3, 0.01}, 1e5, 20., 0.5},
-                                0.,
-                                1e-2};
-  joint.friction_state_index = 0;
-  const JointCondition condition =
-    joint.make_condition(ClearanceProfile(10e-6));
-  PairVector q, v;
+  ClearanceJoint joint           = {"joint",
+                                    {0, 1},
+                                    {0., 0.},
+                                    {0., 0.},
+                                    9.525e-3,
+                                    9.535e-3,
+                                    LankaraniNikraveshLaw{1.5e7, 0.7},
+                                    LuGreFriction{{0.1, 0.3, 0.01}, 1e5, 20., 0.5},
+                                    0.,
+                                    1e-2};
+  joint.friction_state_index     = 0;
+  const JointCondition condition = joint.make_condition(PeriodicProfile(10e-6));
+  PairVector           q, v;
   q << 20e-6, -22e-6, 0.7, 0., 0., -1.1;
   v << 0.5e-3, 0.1e-3, 0.4, 0., 0., 0.3;
   const double z = 0.7e-6, step = 1e-10;

@@ -38,17 +38,17 @@
 using namespace SliderCrank;
 
 MechanismParameters
-steel_with(const std::string &model,
+steel_with(const JointModel   model,
            const double       clearance,
            const std::string &contact  = "Lankarani-Nikravesh",
            const std::string &friction = "Coulomb regularised")
 {
   MechanismParameters p = steel(1);
   add_steel_clearance(p, 1, 20e-3 + clearance);
-  JointParameters &joint  = p.joints[1];
-  joint.model             = model;
-  joint.contact_force_law = contact;
-  joint.friction_law      = friction;
+  JointParameters &joint = p.joints[1];
+  joint.model            = model;
+  set_choice(joint.contact_force_law, contact);
+  set_choice(joint.friction_law, friction);
   // Near the slope of Hertz' law at 1 um; some losses.
   joint.contact_stiffness = 4e7;
   joint.contact_damping   = 4e3;
@@ -91,12 +91,12 @@ JointDutyCycle
 five_millimetres()
 {
   DynamicsParameters dynamics;
-  dynamics.start                   = "centred";
+  dynamics.start                   = MotionStart::centred;
   dynamics.accuracy                = 1e-5;
   dynamics.samples_per_cycle       = 3600;
   dynamics.maximum_settling_cycles = 1;
   dynamics.averaged_cycles         = 1;
-  const Mechanism       mechanism(steel_with("clearance", 5e-3));
+  const Mechanism       mechanism(steel_with(JointModel::clearance, 5e-3));
   const DutyCycle       cycle = CycleSimulation(mechanism, dynamics).run();
   const JointDutyCycle &joint = cycle.joint("crank_pin");
   std::cout << "5 mm, clearance: " << cycle.settling.n_cycles
@@ -116,7 +116,7 @@ loose_disc(const double clearance, const double restitution, const double mu)
   p.bodies              = {pin};
   JointParameters joint;
   joint.name                    = "joint";
-  joint.model                   = "impact";
+  joint.model                   = JointModel::impact;
   joint.pin_marker              = "pin.O";
   joint.bushing_marker          = "ground.O";
   joint.pin_radius              = 30e-3;
@@ -256,16 +256,20 @@ main()
                                 "Flores",
                                 "spring-damper",
                                 "elastic foundation"})
-    compare(law, steel_with("clearance", 0.5e-6, law), with_friction);
+    compare(law, steel_with(JointModel::clearance, 0.5e-6, law), with_friction);
   for (const std::string law : {"Ambrosio", "Stribeck", "LuGre"})
-    compare("friction " + law,
-            steel_with("clearance", 0.5e-6, "Lankarani-Nikravesh", law),
-            with_friction);
-  compare("no friction",
-          steel_with("clearance", 0.5e-6, "Lankarani-Nikravesh", "none"),
+    compare(
+      "friction " + law,
+      steel_with(JointModel::clearance, 0.5e-6, "Lankarani-Nikravesh", law),
+      with_friction);
+  compare(
+    "no friction",
+    steel_with(JointModel::clearance, 0.5e-6, "Lankarani-Nikravesh", "none"),
+    ideal);
+  compare("massless link",
+          steel_with(JointModel::massless_link, 0.5e-6),
           ideal);
-  compare("massless link", steel_with("massless link", 0.5e-6), ideal);
-  compare("impact", steel_with("impact", 0.5e-6), ideal);
+  compare("impact", steel_with(JointModel::impact, 0.5e-6), ideal);
 
   const JointDutyCycle contact = five_millimetres();
   report_below("  peak of 975.33 N, relative error",

@@ -242,11 +242,11 @@ main()
                4);
 
   JointParameters wrong         = joint;
-  wrong.model                   = "clearance";
+  wrong.model                   = JointModel::clearance;
   wrong.restitution_coefficient = 0.;
   expect_error(wrong);
   wrong                               = joint;
-  wrong.model                         = "clearance";
+  wrong.model                         = JointModel::clearance;
   wrong.friction_regularisation_speed = 0.;
   expect_error(wrong);
   SpringParameters spring = p.springs[0];

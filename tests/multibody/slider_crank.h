@@ -74,7 +74,7 @@ namespace SliderCrank
     wrist_pin.bushing_marker = "follower.B";
     JointParameters guide;
     guide.name          = "guide";
-    guide.type          = "translational";
+    guide.type          = JointType::translational;
     guide.first_marker  = "ground.O";
     guide.second_marker = "slider.B";
     p.joints            = {ground_pin, crank_pin, wrist_pin, guide};
@@ -122,7 +122,7 @@ namespace SliderCrank
                       const double         bushing_radius)
   {
     JointParameters &j            = p.joints[joint];
-    j.model                       = "clearance";
+    j.model                       = JointModel::clearance;
     j.pin_radius                  = 20e-3;
     j.bushing_radius              = bushing_radius;
     j.pin_material.name           = "steel";
@@ -137,7 +137,7 @@ namespace SliderCrank
   add_ptfe_clearance(MechanismParameters &p, const unsigned int joint)
   {
     JointParameters &j                = p.joints[joint];
-    j.model                           = "clearance";
+    j.model                           = JointModel::clearance;
     j.pin_radius                      = 9.525e-3;
     j.bushing_radius                  = 9.535e-3;
     j.pin_material.name               = "steel";

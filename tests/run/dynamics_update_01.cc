@@ -13,15 +13,12 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <nlohmann/json.hpp>
-
 #include <tribody/base/console.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/output/output_directory.h>
 #include <tribody/run/wear_simulation.h>
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -54,28 +51,17 @@ namespace
     const std::string directory =
       "dynamics_update_01.results/" + extrapolation + "_" + update;
 
-    // The program's own words carry times.
-    std::ostringstream screen;
-    std::streambuf    *to_screen = std::cout.rdbuf(screen.rdbuf());
-    {
-      Console                  console(true);
-      Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-      Output::OutputDirectory  output(directory, MPI_COMM_SELF);
-      simulation.run(output);
-    }
-    std::cout.rdbuf(to_screen);
-
-    const auto summary =
-      nlohmann::json::parse(std::ifstream(directory + "/summary.json"));
-    const auto  &bushing  = summary["joints"]["crank_pin"]["bushing"];
-    const auto  &estimate = summary["error_estimate"];
-    const double depth    = bushing["max_wear_depth_m"];
-    const double volume   = bushing["worn_volume_m3"];
-    return {depth,
-            depth * estimate["max_wear_depth_relative"].get<double>(),
-            volume,
-            volume * estimate["worn_volume_relative"].get<double>(),
-            summary["counts"]["dynamics_cycles"].get<unsigned int>()};
+    std::ostringstream         screen;
+    Console                    console(screen);
+    Coupling::WearSimulation   simulation(parameters, console, MPI_COMM_WORLD);
+    Output::OutputDirectory    output(directory, MPI_COMM_SELF);
+    const Coupling::RunResults results      = simulation.run(output);
+    const Coupling::SurfaceResults &bushing = results.bushings[0].bushing;
+    return {bushing.max_wear_depth,
+            bushing.max_wear_depth * results.depth_relative_error(),
+            bushing.worn_volume,
+            bushing.worn_volume * results.volume_relative_error(),
+            results.state.counts.dynamics_cycles};
   }
 
 

@@ -23,8 +23,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <tribody/stepping/constant_jump.h>
-#include <tribody/stepping/implicit_jump.h>
+#include <tribody/stepping/wear_process.h>
 
 #include <cmath>
 #include <iostream>
@@ -90,57 +89,65 @@ namespace
 
   struct Run
   {
-    Run(const std::vector<BushingParameters> &parameters, const bool turns)
+    Run(const std::vector<BushingParameters> &parameters,
+        const bool                            turns,
+        const Extrapolation extrapolation = Extrapolation::implicit)
+      : process(make_wear(extrapolation), make_bushings(parameters))
     {
+      Multibody::DutyCycle cycle;
       for (const BushingParameters &bushing : parameters)
-        {
-          bushings.emplace_back(bushing, make_joint(bushing.name), 0.005);
-          state.duty_cycle.joints.push_back(
-            make_duty_cycle(bushing.name, turns));
-        }
-      state.totals.resize(bushings.size());
-      solve_contacts();
+        cycle.joints.push_back(make_duty_cycle(bushing.name, turns));
+      process.renew_duty_cycle(cycle);
+      process.solve_contacts();
+    }
+
+    static WearParameters
+    make_wear(const Extrapolation extrapolation)
+    {
+      WearParameters wear;
+      wear.extrapolation = extrapolation;
+      return wear;
+    }
+
+    static std::deque<WearingBushing>
+    make_bushings(const std::vector<BushingParameters> &parameters)
+    {
+      std::deque<WearingBushing> bushings;
+      for (const BushingParameters &bushing : parameters)
+        bushings.emplace_back(bushing, make_joint(bushing.name), 0.005);
+      return bushings;
     }
 
     void
-    solve_contacts()
+    go_to(const double end)
     {
-      std::size_t b = 0;
-      state.contacts.resize(bushings.size());
-      for (const WearingBushing &bushing : bushings)
+      while (process.state().cycles < end)
         {
-          state.contacts[b] =
-            bushing.compute_cycle_contact(bushing.depth(),
-                                          state.duty_cycle.joints[b],
-                                          state.contacts[b].samples.empty()
-                                            ? nullptr
-                                            : &state.contacts[b],
-                                          state.totals[b].sliding_distance);
-          ++b;
+          const double begin = process.state().cycles;
+          process.take_step(end);
+          process.complete_step(begin);
         }
     }
 
-    void
-    go_to(const double end, CycleJump &jump)
+    const WearingBushing &
+    bushing() const
     {
-      while (state.cycles < end)
-        {
-          const double before = state.cycles;
-          jump.advance(state, end);
-          for (std::size_t b = 0; b < bushings.size(); ++b)
-            state.totals[b].sliding_distance +=
-              (state.cycles - before) *
-              state.duty_cycle.joints[b].sliding_distance();
-          solve_contacts();
-          depth_error +=
-            jump.estimate_error(state.contacts, state.cycles - before)[0].depth;
-        }
+      return process.bushings().front();
     }
 
-    std::list<WearingBushing> bushings;
-    StopConditions            stop_conditions{{}};
-    RunState                  state;
-    Eigen::VectorXd           depth_error = Eigen::VectorXd::Zero(240);
+    const JointState &
+    joint() const
+    {
+      return process.state().joints[0];
+    }
+
+    const Multibody::JointDutyCycle &
+    cycle() const
+    {
+      return process.state().duty_cycle.joints[0];
+    }
+
+    WearProcess process;
   };
 
 
@@ -151,13 +158,12 @@ namespace
     BushingParameters parameters           = make_parameters("pin");
     parameters.wear_coefficient_factor     = factor;
     parameters.pin_wear_coefficient_factor = factor;
-    Run          run({parameters}, false);
-    ImplicitJump jump(run.bushings, run.stop_conditions, 5e-3);
-    run.go_to(3000., jump);
+    Run run({parameters}, false);
+    run.go_to(3000.);
 
-    const WearingBushing            &bushing = run.bushings.front();
-    const Multibody::JointDutyCycle &cycle   = run.state.duty_cycle.joints[0];
-    const CycleContact              &contact = run.state.contacts[0];
+    const WearingBushing            &bushing = run.bushing();
+    const Multibody::JointDutyCycle &cycle   = run.cycle();
+    const CycleContact              &contact = run.joint().contact;
     const Eigen::MatrixXd            jacobian =
       bushing.compute_wear_rate_jacobian(contact);
     const Eigen::Index n        = contact.removed_area.size();
@@ -202,8 +208,8 @@ namespace
       }
     std::cout << std::endl;
 
-    const SurfaceTotals &of_bushing = run.state.totals[0].surfaces[0];
-    const SurfaceTotals &of_pin     = run.state.totals[0].surfaces[1];
+    const SurfaceTotals &of_bushing = run.joint().totals.surfaces[0];
+    const SurfaceTotals &of_pin     = run.joint().totals.surfaces[1];
     std::cout << "volume balance below 1e-9: bushing "
               << (std::abs(bushing.worn_volume() / of_bushing.removed_volume -
                            1.) < 1e-9)
@@ -228,8 +234,8 @@ namespace
   test_other_numbers_of_samples()
   {
     const Run                       run({make_parameters("pin")}, false);
-    const WearingBushing           &bushing = run.bushings.front();
-    const Multibody::JointDutyCycle few     = run.state.duty_cycle.joints[0];
+    const WearingBushing           &bushing = run.bushing();
+    const Multibody::JointDutyCycle few     = run.cycle();
     const Multibody::JointDutyCycle many    = make_duty_cycle("pin", true);
     const auto contact = [&](const Multibody::JointDutyCycle &cycle,
                              const CycleContact              *similar) {
@@ -256,11 +262,10 @@ namespace
   {
     BushingParameters parameters    = make_parameters("pin");
     parameters.pin_wear_coefficient = parameters.wear_coefficient;
-    Run          run({parameters}, true);
-    ImplicitJump jump(run.bushings, run.stop_conditions, 5e-3);
-    run.go_to(20000., jump);
+    Run run({parameters}, true);
+    run.go_to(20000.);
 
-    const WearingBushing &bushing = run.bushings.front();
+    const WearingBushing &bushing = run.bushing();
     for (const WearingSurface &surface : bushing.surfaces())
       {
         const Eigen::VectorXd &h = surface.profile.depth;
@@ -281,33 +286,34 @@ namespace
   void
   test_two_joints()
   {
-    const double end = 3000.;
-    Run          one({make_parameters("a")}, false);
-    Run          two({make_parameters("a"), make_parameters("b")}, false);
-    {
-      ConstantJump jump_one(one.bushings, one.stop_conditions, 0.);
-      one.go_to(20., jump_one);
-      ConstantJump jump_two(two.bushings, two.stop_conditions, 0.);
-      two.go_to(20., jump_two);
-    }
+    const std::vector<BushingParameters> alone = {make_parameters("a")};
+    const std::vector<BushingParameters> both  = {make_parameters("a"),
+                                                  make_parameters("b")};
+    Run one_explicit(alone, false, Extrapolation::constant);
+    Run two_explicit(both, false, Extrapolation::constant);
+    one_explicit.go_to(20.);
+    two_explicit.go_to(20.);
+    const auto depth = [](const Run &run, const std::size_t j) {
+      return run.process.state().joints[j].depth;
+    };
     std::cout << "two joints, explicit: as one alone to the bit "
-              << (one.bushings.front().depth() ==
-                    two.bushings.front().depth() &&
-                  one.bushings.front().depth() == two.bushings.back().depth());
-    ImplicitJump jump_one(one.bushings, one.stop_conditions, 5e-3);
-    one.go_to(end, jump_one);
-    ImplicitJump jump_two(two.bushings, two.stop_conditions, 5e-3);
-    two.go_to(end, jump_two);
+              << (depth(one_explicit, 0) == depth(two_explicit, 0) &&
+                  depth(one_explicit, 0) == depth(two_explicit, 1));
+
+    const double end = 3000.;
+    Run          one(alone, false), two(both, false);
+    one.process.restore(one_explicit.process.state());
+    two.process.restore(two_explicit.process.state());
+    one.go_to(end);
+    two.go_to(end);
     const double difference =
-      (one.bushings.front().depth() - two.bushings.front().depth())
-        .head(120)
-        .lpNorm<Eigen::Infinity>();
+      (depth(one, 0) - depth(two, 0)).head(120).lpNorm<Eigen::Infinity>();
     std::cout << "; implicit: both joints alike "
-              << ((two.bushings.front().depth() - two.bushings.back().depth())
-                    .lpNorm<Eigen::Infinity>() <
-                  1e-9 * two.bushings.front().depth().maxCoeff())
+              << ((depth(two, 0) - depth(two, 1)).lpNorm<Eigen::Infinity>() <
+                  1e-9 * depth(two, 0).maxCoeff())
               << ", as one alone to the estimate "
-              << (difference < one.depth_error[0] + two.depth_error[0])
+              << (difference < one.joint().totals.depth_error[0] +
+                                 two.joint().totals.depth_error[0])
               << std::endl;
   }
 } // namespace

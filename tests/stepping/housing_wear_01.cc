@@ -14,8 +14,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/stepping/constant_jump.h>
-#include <tribody/stepping/implicit_jump.h>
+#include <tribody/stepping/wear_process.h>
 
 #include <cmath>
 #include <iostream>
@@ -32,7 +31,7 @@ namespace
     bushing.name                    = "pin";
     bushing.axial_length            = 8.6e-3;
     bushing.outer_radius            = 15.875e-3;
-    bushing.rim_support.kind        = "housing";
+    bushing.rim_support.kind        = Elasticity::RimSupport::Kind::housing;
     bushing.rim_support.housing_gap = gap;
     bushing.wear_coefficient        = 5e-13;
     bushing.pin_wear_coefficient    = 2e-13;
@@ -84,47 +83,56 @@ namespace
 
   struct Run
   {
-    explicit Run(const double gap)
+    explicit Run(const double        gap,
+                 const Extrapolation extrapolation = Extrapolation::implicit)
+      : process(make_wear(extrapolation), make_bushings(gap))
     {
+      Multibody::DutyCycle cycle;
+      cycle.joints = {make_duty_cycle()};
+      process.renew_duty_cycle(cycle);
+      process.solve_contacts();
+    }
+
+    static WearParameters
+    make_wear(const Extrapolation extrapolation)
+    {
+      WearParameters wear;
+      wear.extrapolation = extrapolation;
+      return wear;
+    }
+
+    static std::deque<WearingBushing>
+    make_bushings(const double gap)
+    {
+      std::deque<WearingBushing> bushings;
       bushings.emplace_back(make_parameters(gap), make_joint(), 0.005);
-      state.duty_cycle.joints = {make_duty_cycle()};
-      state.totals.resize(1);
-      state.contacts.resize(1);
-      solve_contacts();
+      return bushings;
     }
 
     const WearingBushing &
     bushing() const
     {
-      return bushings.front();
+      return process.bushings().front();
+    }
+
+    const JointState &
+    joint() const
+    {
+      return process.state().joints[0];
     }
 
     void
-    solve_contacts()
+    go_to(const double end)
     {
-      CycleContact &contact = state.contacts[0];
-      contact =
-        bushing().compute_cycle_contact(bushing().depth(),
-                                        state.duty_cycle.joints[0],
-                                        contact.samples.empty() ? nullptr
-                                                                : &contact);
-    }
-
-    void
-    go_to(const double end, CycleJump &jump)
-    {
-      while (state.cycles < end)
+      while (process.state().cycles < end)
         {
-          const double before = state.cycles;
-          jump.advance(state, end);
-          solve_contacts();
-          jump.estimate_error(state.contacts, state.cycles - before);
+          const double begin = process.state().cycles;
+          process.take_step(end);
+          process.complete_step(begin);
         }
     }
 
-    std::list<WearingBushing> bushings;
-    StopConditions            stop_conditions{{}};
-    RunState                  state;
+    WearProcess process;
   };
 
 
@@ -132,7 +140,7 @@ namespace
   void
   test_jacobian(const Run &run)
   {
-    const CycleContact   &contact = run.state.contacts[0];
+    const CycleContact   &contact = run.joint().contact;
     const Eigen::MatrixXd jacobian =
       run.bushing().compute_wear_rate_jacobian(contact);
     const Eigen::Index n = contact.removed_area.size();
@@ -147,7 +155,7 @@ namespace
         const auto       rate = [&](const double by) {
           return run.bushing()
             .compute_cycle_contact(run.bushing().depth() + by * direction,
-                                   run.state.duty_cycle.joints[0],
+                                   run.process.state().duty_cycle.joints[0],
                                    &contact)
             .removed_area.cwiseQuotient(contact.area_derivative)
             .eval();
@@ -168,13 +176,12 @@ namespace
   {
     constexpr double end = 3000.;
     Run              run(gap);
-    ImplicitJump     jump(run.bushings, run.stop_conditions, 5e-3);
-    run.go_to(end, jump);
+    run.go_to(end);
     const WearingBushing &bushing = run.bushing();
 
     std::size_t fewest = 1000, most = 0;
     bool        balanced = true;
-    for (const Contact::ContactSolution &sample : run.state.contacts[0].samples)
+    for (const Contact::ContactSolution &sample : run.joint().contact.samples)
       {
         fewest   = std::min(fewest, sample.rim.active_set.size());
         most     = std::max(most, sample.rim.active_set.size());
@@ -187,7 +194,7 @@ namespace
               << std::endl;
     test_jacobian(run);
 
-    const auto &lost = run.state.totals[0].surfaces;
+    const auto &lost = run.joint().totals.surfaces;
     std::cout << "  balance below 1e-9: bushing "
               << (std::abs(bushing.worn_volume() / lost[0].removed_volume -
                            1.) < 1e-9)
@@ -199,19 +206,16 @@ namespace
                            2.5) < 1e-9)
               << std::endl;
 
-    Run          explicit_run(gap);
-    ConstantJump constant(explicit_run.bushings,
-                          explicit_run.stop_conditions,
-                          0.);
-    explicit_run.go_to(end, constant);
+    Run explicit_run(gap, Extrapolation::constant);
+    explicit_run.go_to(end);
     const double depth = bushing.profile().max_depth();
     const double difference =
       std::abs(depth - explicit_run.bushing().profile().max_depth());
     std::cout << "  implicit and explicit steps differ by less than 0.5 % "
               << (difference < 5e-3 * depth) << std::endl;
     std::cout << "  clearance wider by the gap "
-              << (std::abs(bushing.clearance().bushing.clearance(0.3) -
-                           bushing.clearance_profile().clearance(0.3) - gap) <
+              << (std::abs(bushing.clearance().bushing.value(0.3) -
+                           bushing.clearance_profile().value(0.3) - gap) <
                   1e-12)
               << std::endl;
   }

@@ -18,8 +18,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/stepping/constant_jump.h>
-#include <tribody/stepping/implicit_jump.h>
+#include <tribody/stepping/wear_process.h>
 #include <tribody/wear/crescent.h>
 
 #include <cmath>
@@ -32,7 +31,7 @@ namespace
 {
   constexpr double tolerance = 5e-3;
 
-  std::list<WearingBushing>
+  std::deque<WearingBushing>
   make_bushing(const double youngs_modulus, const unsigned int n_bore_cells)
   {
     Multibody::JointParameters joint;
@@ -40,13 +39,13 @@ namespace
     joint.bushing_material = {"plastic", youngs_modulus, 0.38, 2160.};
     BushingParameters bushing;
     bushing.name              = joint.name;
-    bushing.pin               = "rigid";
+    bushing.pin               = PinModel::rigid;
     bushing.axial_length      = 8.6e-3;
     bushing.outer_radius      = 15.875e-3;
     bushing.wear_coefficient  = 5.05e-13;
     bushing.mesh.n_bore_cells = n_bore_cells;
 
-    std::list<WearingBushing> bushings;
+    std::deque<WearingBushing> bushings;
     bushings.emplace_back(bushing, joint, 0.005);
     return bushings;
   }
@@ -81,69 +80,84 @@ namespace
   {
     Run(const double                youngs_modulus,
         const unsigned int          n_bore_cells,
-        const Multibody::DutyCycle &duty_cycle)
-      : bushings(make_bushing(youngs_modulus, n_bore_cells))
-      , stop_conditions(bushings)
+        const Multibody::DutyCycle &duty_cycle,
+        const Extrapolation         extrapolation,
+        const double                eps = tolerance)
+      : process(make_wear(extrapolation, eps),
+                make_bushing(youngs_modulus, n_bore_cells))
     {
-      state.duty_cycle = duty_cycle;
-      state.totals.resize(1);
-      solve_contact();
+      process.renew_duty_cycle(duty_cycle);
+      process.solve_contacts();
+    }
+
+    static WearParameters
+    make_wear(const Extrapolation extrapolation, const double eps)
+    {
+      WearParameters wear;
+      wear.extrapolation = extrapolation;
+      wear.tolerance     = eps;
+      return wear;
     }
 
     void
-    solve_contact()
+    go_to(const double end)
     {
-      const WearingBushing &bushing = bushings.front();
-      state.contacts                = {bushing.compute_cycle_contact(
-        bushing.profile().depth,
-        state.duty_cycle.joints[0],
-        state.contacts.empty() ? nullptr : &state.contacts[0])};
-    }
-
-    void
-    go_to(const double end, CycleJump &jump)
-    {
-      while (state.cycles < end)
+      while (process.state().cycles < end)
         {
-          const double before = state.cycles;
-          jump.advance(state, end);
-          solve_contact();
-          const StepError error =
-            jump.estimate_error(state.contacts, state.cycles - before)[0];
-          depth_error += error.depth.lpNorm<Eigen::Infinity>();
-          volume_error += std::abs(error.volumes[0]);
+          const double begin = process.state().cycles;
+          process.take_step(end);
+          process.complete_step(begin);
           oscillation =
             std::max(oscillation,
-                     Wear::mesh_oscillation(state.contacts[0].wear_rate));
-          ++n_steps;
+                     Wear::mesh_oscillation(
+                       process.state().joints[0].contact.wear_rate));
         }
+    }
+
+    const WearingBushing &
+    bushing() const
+    {
+      return process.bushings().front();
+    }
+
+    const JointTotals &
+    totals() const
+    {
+      return process.state().joints[0].totals;
+    }
+
+    unsigned int
+    n_steps() const
+    {
+      return process.state().counts.wear_steps;
     }
 
     double
     depth() const
     {
-      return bushings.front().profile().max_depth();
+      return bushing().profile().max_depth();
+    }
+
+    double
+    depth_error() const
+    {
+      return totals().depth_error.maxCoeff();
     }
 
     double
     volume() const
     {
-      return bushings.front().worn_volume();
+      return bushing().worn_volume();
     }
 
     double
     balance() const
     {
-      return std::abs(volume() / state.totals[0].surfaces[0].removed_volume -
-                      1.);
+      return std::abs(volume() / totals().surfaces[0].removed_volume - 1.);
     }
 
-    std::list<WearingBushing> bushings;
-    StopConditions            stop_conditions;
-    RunState                  state;
-    double                    depth_error = 0., volume_error = 0.;
-    double                    oscillation = 0.;
-    unsigned int              n_steps     = 0;
+    WearProcess process;
+    double      oscillation = 0.;
   };
 
 
@@ -151,47 +165,40 @@ namespace
   void
   test_swing()
   {
-    const Multibody::DutyCycle duty_cycle  = make_duty_cycle(24, M_PI / 3.);
-    const double               end         = 20000.;
-    const auto                 run_tightly = [&](Run &run, const double eps) {
-      ImplicitJump jump(run.bushings, run.stop_conditions, eps);
-      run.go_to(end, jump);
-    };
+    const Multibody::DutyCycle duty_cycle = make_duty_cycle(24, M_PI / 3.);
+    const double               end        = 20000.;
 
-    Run reference(0.139e9, 60, duty_cycle);
-    run_tightly(reference, 1e-6);
+    Run reference(0.139e9, 60, duty_cycle, Extrapolation::implicit, 1e-6);
+    reference.go_to(end);
 
     for (const double eps : {1e-2, tolerance, 1e-3, 1e-4, 1e-5})
       {
-        Run run(0.139e9, 60, duty_cycle);
-        run_tightly(run, eps);
+        Run run(0.139e9, 60, duty_cycle, Extrapolation::implicit, eps);
+        run.go_to(end);
         std::cout << "tolerance " << eps << ": depth right to its estimate: "
                   << (std::abs(run.depth() - reference.depth()) <
-                      3. * run.depth_error)
+                      3. * run.depth_error())
                   << ", volume: "
                   << (std::abs(run.volume() - reference.volume()) <
-                      3. * run.volume_error)
+                      3. * run.totals().surfaces[0].volume_error)
                   << ", balance right to 1e-9: " << (run.balance() < 1e-9)
                   << ", oscillation below 1e-2: " << (run.oscillation < 1e-2)
                   << std::endl;
 
         if (eps != tolerance)
           continue;
-        Run          explicit_run(0.139e9, 60, duty_cycle);
-        ConstantJump steps(explicit_run.bushings,
-                           explicit_run.stop_conditions,
-                           0.);
-        explicit_run.go_to(end, steps);
-        Run fine(0.139e9, 120, duty_cycle);
-        run_tightly(fine, eps);
+        Run explicit_run(0.139e9, 60, duty_cycle, Extrapolation::constant);
+        explicit_run.go_to(end);
+        Run fine(0.139e9, 120, duty_cycle, Extrapolation::implicit, eps);
+        fine.go_to(end);
         std::cout << "explicit steps within the estimate: "
                   << (std::abs(run.depth() - explicit_run.depth()) <
-                      run.depth_error)
+                      run.depth_error())
                   << ", five times as many: "
-                  << (explicit_run.n_steps > 5 * run.n_steps)
-                  << "; steps below 16: " << (run.n_steps < 16)
+                  << (explicit_run.n_steps() > 5 * run.n_steps())
+                  << "; steps below 16: " << (run.n_steps() < 16)
                   << ", on the finer mesh: "
-                  << (fine.n_steps <= 1.25 * run.n_steps) << std::endl;
+                  << (fine.n_steps() <= 1.25 * run.n_steps()) << std::endl;
       }
   }
 
@@ -202,23 +209,25 @@ namespace
   {
     for (const double youngs_modulus : {1e12})
       {
-        Run run(youngs_modulus, 180, make_duty_cycle(1, 0.));
-        const BushingParameters &bushing =
-          run.bushings.front().bushing_parameters();
+        Run                      run(youngs_modulus,
+                180,
+                make_duty_cycle(1, 0.),
+                Extrapolation::implicit);
+        const BushingParameters &bushing = run.bushing().bushing_parameters();
         const Multibody::JointParameters &joint =
-          run.bushings.front().joint_parameters();
+          run.bushing().joint_parameters();
         const Wear::Crescent crescent{joint.bushing_radius,
                                       joint.bushing_radius - joint.pin_radius,
                                       bushing.axial_length,
                                       bushing.wear_coefficient,
                                       90.};
-        ImplicitJump         jump(run.bushings, run.stop_conditions, tolerance);
         double               depth_error = 0., volume_error = 0.;
         for (const double cycles : {5., 50., 500., 5000., 50000.})
           {
-            run.go_to(cycles, jump);
+            run.go_to(cycles);
             const double depth = crescent.depth(
-              cycles * run.state.duty_cycle.joints[0].sliding_distance());
+              cycles *
+              run.process.state().duty_cycle.joints[0].sliding_distance());
             depth_error =
               std::max(depth_error, std::abs(run.depth() / depth - 1.));
             volume_error =
@@ -227,7 +236,7 @@ namespace
           }
         std::cout << "crescent: depth within 0.3 %: " << (depth_error < 3e-3)
                   << ", volume within 0.1 %: " << (volume_error < 1e-3)
-                  << ", steps below 50: " << (run.n_steps < 50) << std::endl;
+                  << ", steps below 50: " << (run.n_steps() < 50) << std::endl;
       }
   }
 } // namespace

@@ -47,7 +47,9 @@ CORRECT = {
     "source/wear/CMakeLists.txt": "tribody_module(wear SOURCES w.cc DEPENDS base)\n",
     "source/main.cc": "// MPI_COMM_WORLD\nint communicator = MPI_COMM_WORLD;\n",
     "prm/a.prm": "set A = 1\n",
-    "README.md": "See include/tribody/home/a and https://b.org/home/c.\n",
+    "README.md": "See include/tribody/home/a and https://b.org/home/c.\n"
+                 "Run `prm/a.prm`, [read](doc/a.md#the-law) `include/tribody/base/a`.\n",
+    "doc/a.md": "# The law\n\n    `doc/in_a_block.md`\n",
 }
 
 # check, file, its new content, line at which the offence must be reported
@@ -72,6 +74,12 @@ OFFENCES = [
     ("sources", "source/main.cc", "\n" * 61, 61),
     ("sources", "prm/a.prm", "set A = 1\nset B = " + "1" * 100 + "\n", 2),
     ("sources", "prm/a.prm", f"set File = {OWN}\n", 1),
+    ("documents", "README.md", "\n" * 151, 151),
+    ("documents", "README.md", "See\n[this](doc/none.md).\n", 2),
+    ("documents", "README.md", "See [this](doc/a.md#no-law).\n", 1),
+    ("documents", "doc/a.md", "See `prm/none.prm --check`.\n", 1),
+    ("documents", "prm/a.prm", "set A = 1 # tests/wear/none_01.cc compares\n", 1),
+    ("documents", "source/wear/w.cc", "int i;\n// See doc/none.md.\n", 2),
 ]
 
 
@@ -98,7 +106,7 @@ def project(root):
 
 def main():
     failures = 0
-    for check in ("format", "includes", "sources"):
+    for check in ("documents", "format", "includes", "sources"):
         with tempfile.TemporaryDirectory() as root:
             project(root)
             result = run(check, root)

@@ -47,13 +47,13 @@ unit(const double angle)
   return {std::cos(angle), std::sin(angle)};
 }
 
-ClearanceProfile
+PeriodicProfile
 make_profile(const std::function<double(double)> &value)
 {
   const int             n = 720;
   const Eigen::VectorXd angles =
     Eigen::VectorXd::LinSpaced(n, 0., 2 * M_PI * (n - 1) / n);
-  return ClearanceProfile(angles, angles.unaryExpr(value));
+  return PeriodicProfile(angles, angles.unaryExpr(value));
 }
 
 void
@@ -64,7 +64,7 @@ round_bore()
        {PenetrationMeasure::deepest, PenetrationMeasure::scalar})
     for (const double angle : {0., 1., 3., 5.})
       {
-        const PinInBore pin(ClearanceProfile(40e-6), R, measure);
+        const PinInBore pin(PeriodicProfile(40e-6), R, measure);
         const Vector2d  e       = 45e-6 * unit(angle);
         const auto      contact = pin.find_contact(e, 0.3);
         error                   = std::max(
@@ -146,7 +146,7 @@ crescent()
 void
 two_lobes()
 {
-  const ClearanceProfile bore = make_profile(
+  const PeriodicProfile bore = make_profile(
     [](const double x) { return 50e-6 + 30e-6 * std::cos(2 * x - 0.2); });
   const PinInBore pin(bore, R);
   double          error = 0.;
@@ -158,8 +158,7 @@ two_lobes()
         {
           const double x = 2 * M_PI * i / 200000;
           largest =
-            std::max(largest,
-                     R - ((R + bore.clearance(x)) * unit(x) - e).norm());
+            std::max(largest, R - ((R + bore.value(x)) * unit(x) - e).norm());
         }
       error =
         std::max(error, std::abs(pin.compute_penetration(e, 0.) - largest));
@@ -170,7 +169,7 @@ two_lobes()
 void
 worn_pin()
 {
-  const ClearanceProfile lobes = make_profile(
+  const PeriodicProfile lobes = make_profile(
     [](const double x) { return 50e-6 + 10e-6 * std::cos(2 * x - 0.2); });
   double error = 0.;
   for (const auto measure :
@@ -178,7 +177,7 @@ worn_pin()
     for (double angle = 0.; angle < 6.3; angle += 0.3)
       {
         const Vector2d  e = 60e-6 * unit(angle);
-        const PinInBore worn({lobes, ClearanceProfile(5e-6)}, R, measure);
+        const PinInBore worn({lobes, PeriodicProfile(5e-6)}, R, measure);
         const PinInBore same(
           {lobes, make_profile([](const double) { return 5e-6; })}, R, measure);
         const auto a = worn.find_contact(e, 0.4);
@@ -190,7 +189,7 @@ worn_pin()
           {
             // The same bore, as a smaller pin sees it.
             const PinInBore narrow(make_profile([&](const double x) {
-                                     return lobes.clearance(x) + 5e-6;
+                                     return lobes.value(x) + 5e-6;
                                    }),
                                    R - 5e-6);
             error = std::max(error,
@@ -205,7 +204,7 @@ worn_pin()
   // corners.
   const double         flat = R * std::cos(0.4), corner = 20e-6;
   const JointClearance clearance{
-    ClearanceProfile(40e-6), make_profile([&](const double x) {
+    PeriodicProfile(40e-6), make_profile([&](const double x) {
       const double beta = std::remainder(x - 1., 2 * M_PI);
       const double lost =
         std::abs(beta) < 1. ? (R - flat / std::cos(beta)) / corner : -50.;
@@ -225,8 +224,8 @@ worn_pin()
           const Vector2d m    = unit(psi);
           const double   side = e.x() * m.y() - e.y() * m.x();
           const double   d    = std::sqrt(bore * bore - side * side) - e.dot(m);
-          largest             = std::max(largest,
-                             R - clearance.pin_wear.clearance(psi - alpha) - d);
+          largest =
+            std::max(largest, R - clearance.pin_wear.value(psi - alpha) - d);
         }
       error =
         std::max(error, std::abs(pin.compute_penetration(e, alpha) - largest));
@@ -303,9 +302,9 @@ main()
   crescent();
   two_lobes();
   worn_pin();
-  const ClearanceProfile bore = make_profile(
+  const PeriodicProfile bore = make_profile(
     [](const double x) { return 45e-6 + 20e-6 * std::cos(2 * x + 0.7); });
-  const ClearanceProfile pin = make_profile(
+  const PeriodicProfile pin = make_profile(
     [](const double x) { return 10e-6 + 10e-6 * std::sin(3 * x); });
   derivatives("deepest", PinInBore(bore, R));
   derivatives("deepest, pin worn", PinInBore({bore, pin}, R));

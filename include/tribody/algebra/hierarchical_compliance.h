@@ -53,6 +53,7 @@ namespace Tribody
     /// An arc of which all nodes are asked for.
     struct WholeArc
     {
+      /// Place of the arc in the tree.
       std::size_t number;
       /// Of its first node in what is asked for.
       Eigen::Index first_row;
@@ -62,14 +63,20 @@ namespace Tribody
     /// loose nodes, indexed 2.
     struct Restriction
     {
-      std::vector<WholeArc>     whole_arcs;
+      /// Arcs of which all nodes are asked for, as large as they come.
+      std::vector<WholeArc> whole_arcs;
+      /// Places, in what is asked for, of the nodes that no whole arc has.
       std::vector<Eigen::Index> loose_rows;
       /// The arcs and nodes of K_11, and its factor; none at first.
-      std::vector<std::size_t>    factorised_arcs;
-      std::vector<Eigen::Index>   skeletons;
+      std::vector<std::size_t> factorised_arcs;
+      /// Nodes that stand for factorised_arcs, arc after arc: the unknowns of
+      /// K_11.
+      std::vector<Eigen::Index> skeletons;
+      /// L_11, of K_11.
       Eigen::LLT<Eigen::MatrixXd> skeleton_factor{Eigen::MatrixXd(0, 0)};
       /// Of K_22 - Z^T Z with Z = L_11^{-1} K_12.
-      Eigen::MatrixXd             Z;
+      Eigen::MatrixXd Z;
+      /// Cholesky factor of K_22 - Z^T Z.
       Eigen::LLT<Eigen::MatrixXd> loose_factor;
     };
 

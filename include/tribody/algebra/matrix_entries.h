@@ -18,6 +18,7 @@ namespace Tribody
   public:
     virtual ~MatrixEntries() = default;
 
+    /// Add @p value to the entry (@p row, @p column).
     virtual void
     add(const Eigen::Index row,
         const Eigen::Index column,
@@ -41,6 +42,7 @@ namespace Tribody
   class DenseEntries : public MatrixEntries
   {
   public:
+    /// Adds to what @p matrix holds already.
     explicit DenseEntries(
       Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>> matrix)
       : matrix(matrix)

@@ -11,15 +11,16 @@
 namespace Tribody
 {
   /**
-   * What the user reads while the program runs: written to the screen and,
-   * once open_log() was called, to the log file too. Silent on all ranks but
-   * the first.
+   * What the user reads while the program runs: written to a stream, the screen
+   * for example, and, once open_log() was called, to the log file too. Silent
+   * on all ranks but the first.
    */
   class Console
   {
   public:
+    /// @param screen must outlive this object.
     /// @param is_first_rank whether this rank writes at all.
-    explicit Console(const bool is_first_rank);
+    explicit Console(std::ostream &screen, const bool is_first_rank = true);
 
     /// From now on write to @p file_name as well, which begins with what was
     /// said before.
@@ -35,7 +36,8 @@ namespace Tribody
     }
 
   private:
-    bool writes;
+    std::ostream &screen;
+    bool          writes;
     /// For the beginning of the log.
     std::ostringstream                  said_before_log;
     boost::iostreams::filtering_ostream stream;

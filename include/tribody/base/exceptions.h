@@ -38,13 +38,16 @@ namespace Tribody
 
     ~ExcParameter() noexcept override = default;
 
+    /// Path and problem in one line; the caller knows the place in the file.
     void
     print_info(std::ostream &out) const override
     {
       out << path << ": " << problem << std::endl;
     }
 
+    /// Subsections and name of the parameter, separated by slashes.
     std::string path;
+    /// The value that was found and what would be valid.
     std::string problem;
   };
 

@@ -15,6 +15,7 @@ namespace Tribody
   /// An isotropic, linearly elastic material.
   struct Material
   {
+    /// As bodies and joints refer to it; shown in messages.
     std::string name;
     /// Young's modulus E [Pa].
     double youngs_modulus = 206.8e9;
@@ -23,6 +24,7 @@ namespace Tribody
     /// Mass density [kg/m^3].
     double density = 7800.;
 
+    /// Declares in the current subsection.
     void
     add_parameters(dealii::ParameterHandler &prm);
 

@@ -3,6 +3,7 @@
 #ifndef tribody_base_parameter_file_h
 #define tribody_base_parameter_file_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,13 +38,19 @@ namespace Tribody
     ParameterFile(const std::string              &file_name,
                   const std::vector<std::string> &overrides = {});
 
+    /// Of the subsections that are named in a list of the file: from their
+    /// kind, "Body" of "Body crank", to that list, "Bodies".
+    using NamedLists = std::map<std::string, std::string>;
+
     /**
      * Hand every assignment to @p prm, in which everything must be declared.
+     * @param lists that are named in the message about a subsection whose name
+     *   stands in none.
      * @throws ExcInput for an undeclared name (with the nearest valid ones)
      *   or a value that does not fit.
      */
     void
-    apply(dealii::ParameterHandler &prm) const;
+    apply(dealii::ParameterHandler &prm, const NamedLists &lists = {}) const;
 
     /**
      * The last value given to the parameter @p path ("A/B/name"), or

@@ -5,6 +5,9 @@
 
 #include <deal.II/base/point.h>
 
+#include <tribody/base/choice.h>
+
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -64,13 +67,31 @@ namespace Tribody
               std::vector<std::string> &value,
               const std::string        &documentation);
 
-    /// One of several words.
+    /// One of several @p words, at first @p default_word; @p action is called
+    /// with any text that is given.
     void
-    add_choice(dealii::ParameterHandler       &prm,
-               const std::string              &name,
-               std::string                    &value,
-               const std::vector<std::string> &choices,
-               const std::string              &documentation);
+    add_word(dealii::ParameterHandler                       &prm,
+             const std::string                              &name,
+             const std::string                              &default_word,
+             const std::vector<std::string>                 &words,
+             const std::string                              &documentation,
+             const std::function<void(const std::string &)> &action);
+
+    /// One of the names of an enumeration or of a LawChoice, see ChoiceNames.
+    template <typename Choice>
+    void
+    add_choice(dealii::ParameterHandler &prm,
+               const std::string        &name,
+               Choice                   &value,
+               const std::string        &documentation)
+    {
+      add_word(prm,
+               name,
+               name_of(value),
+               words_of(choice_names(value)),
+               documentation,
+               [&value](const std::string &text) { set_choice(value, text); });
+    }
 
     /// Free text, taken as it is.
     void

@@ -21,7 +21,9 @@ namespace Tribody
     /// Items from @p begin up to but not including @p end.
     struct Range
     {
+      /// First item.
       Eigen::Index begin;
+      /// One past the last item; begin if the range is empty.
       Eigen::Index end;
     };
 

@@ -13,7 +13,9 @@ namespace Tribody
    */
   struct SolverReport
   {
-    bool         converged    = false;
+    /// Whether what was asked for has been reached.
+    bool converged = false;
+    /// Iterations taken, the last one included [-].
     unsigned int n_iterations = 0;
     /// Norm of what should vanish, in the solver's own scaling [-].
     double residual = 0.;

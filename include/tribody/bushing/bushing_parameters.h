@@ -3,14 +3,18 @@
 #ifndef tribody_bushing_bushing_parameters_h
 #define tribody_bushing_bushing_parameters_h
 
+#include <tribody/base/choice.h>
+#include <tribody/bushing/joint_limits.h>
 #include <tribody/contact/contact_solver_parameters.h>
 #include <tribody/elasticity/mesh_file.h>
+#include <tribody/elasticity/plane_state.h>
 #include <tribody/elasticity/rim_shape.h>
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/wear/wear_law.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -26,18 +30,53 @@ namespace Tribody
 
   namespace Coupling
   {
-    /// When the life of a joint is over; zero: no limit.
-    struct BushingLimits
+    /// How a bushing gives way to the pin.
+    enum class PressureModel
     {
-      /// Maximum wear depth of bushing or pin [m].
-      double max_depth = 0.;
-      /// Largest clearance between worn pin and worn bore [m].
-      double clearance = 0.;
-      /// Worn volume of bushing and pin together [m^3].
-      double volume = 0.;
-      /// Worn mass of both [kg].
-      double mass = 0.;
+      finite_element,
+      infinite_plate,
+      winkler_layer
     };
+
+    inline ChoiceNames<PressureModel>
+    choice_names(const PressureModel)
+    {
+      return {{PressureModel::finite_element, "finite element"},
+              {PressureModel::infinite_plate, "infinite plate"},
+              {PressureModel::winkler_layer, "Winkler layer"}};
+    }
+
+    /// How displacements are found from forces: by a factorisation that every
+    /// rank has, or by iterations on cells that the ranks share.
+    enum class StiffnessSolver
+    {
+      direct,
+      multigrid
+    };
+
+    inline ChoiceNames<StiffnessSolver>
+    choice_names(const StiffnessSolver)
+    {
+      return {{StiffnessSolver::direct, "direct"},
+              {StiffnessSolver::multigrid, "multigrid"}};
+    }
+
+    /// Whether the pin deforms; automatic: if it is not much stiffer than the
+    /// bushing.
+    enum class PinModel
+    {
+      automatic,
+      rigid,
+      elastic
+    };
+
+    inline ChoiceNames<PinModel>
+    choice_names(const PinModel)
+    {
+      return {{PinModel::automatic, "automatic"},
+              {PinModel::rigid, "rigid"},
+              {PinModel::elastic, "elastic"}};
+    }
 
     /// A published or measured value that a result is shown beside.
     struct Comparison
@@ -61,40 +100,50 @@ namespace Tribody
       /// Length along the axis of the joint [m].
       double axial_length = 10e-3;
       /// Radius of the rim, or its semi-axis along x [m].
-      double               outer_radius = 16e-3;
+      double outer_radius = 16e-3;
+      /// Circle or ellipse, and where its centre is.
       Elasticity::RimShape rim_shape;
       /// What holds it there.
       Elasticity::RimSupport rim_support;
-      /// "plane strain" or "plane stress".
-      std::string plane_state = "plane strain";
-      /// "finite element", "infinite plate" or "Winkler layer".
-      std::string pressure_model = "finite element";
+      Elasticity::PlaneState plane_state    = Elasticity::PlaneState::strain;
+      PressureModel          pressure_model = PressureModel::finite_element;
       /// Polynomial degree of the elements.
-      unsigned int element_degree = 2;
-      /// "direct" or "multigrid".
-      std::string stiffness_solver = "direct";
+      unsigned int    element_degree   = 2;
+      StiffnessSolver stiffness_solver = StiffnessSolver::direct;
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
       /// Instead of a ring, if there is one.
       Elasticity::MeshFile mesh_file;
-      /// "automatic", "rigid" or "elastic".
-      std::string pin = "automatic";
+      PinModel             pin = PinModel::automatic;
       /// Radius of the hole in the pin [m]; 0: none.
       double pin_hole_radius = 0.;
       /// When the contact problem counts as solved.
       Contact::ContactSolverParameters contact_solver;
-      /// Archard's k of the bushing and of the pin [Pa^-1].
-      double wear_coefficient     = 0.;
+      /// Archard's k of the bushing [Pa^-1].
+      double wear_coefficient = 0.;
+      /// Archard's k of the pin [Pa^-1]; 0: it does not wear.
       double pin_wear_coefficient = 0.;
-      /// What multiplies them: expressions of p, v and s, see
+      /// What multiplies that of the bushing: an expression of p, v and s, see
       /// Wear::FactorExpression.
-      std::string wear_coefficient_factor     = "1";
+      std::string wear_coefficient_factor = "1";
+      /// The same for that of the pin.
       std::string pin_wear_coefficient_factor = "1";
+<<<<<<< HEAD
       /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-] and s_0 [m];
       /// 0: none.
-      double        running_in_factor   = 1.;
-      double        running_in_distance = 0.;
+      double running_in_factor   = 1.;
+      double running_in_distance = 0.;
+      /// At which the run ends, one per entry of joint_limits(), in SI units;
+      /// 0: none.
+      std::vector<double> limits = std::vector<double>(joint_limits().size());
+=======
+      /// Running-in of both surfaces, see Wear::RunningIn: f_0 [-].
+      double running_in_factor = 1.;
+      /// s_0 of both surfaces [m]; 0: no running-in.
+      double running_in_distance = 0.;
+      /// What ends the run.
       BushingLimits limits;
+>>>>>>> h-doc
       /// Values that the results are shown beside.
       Comparison comparison;
 
@@ -111,7 +160,7 @@ namespace Tribody
       bool
       shares_mesh() const
       {
-        return stiffness_solver == "multigrid";
+        return stiffness_solver == StiffnessSolver::multigrid;
       }
 
       /// Whether mesh and geometry look the same from each cell around the
@@ -119,10 +168,12 @@ namespace Tribody
       bool
       cells_are_alike() const;
 
-      /// The laws by which bushing and pin wear.
+      /// The law by which the bushing wears.
       Wear::WearLaw
       wear_law() const;
 
+      /// The law by which the pin wears; without a coefficient it takes
+      /// nothing.
       Wear::WearLaw
       pin_wear_law() const;
 
@@ -132,6 +183,10 @@ namespace Tribody
       pin_is_elastic(const Multibody::JointParameters &joint) const;
 
     private:
+      /// Not negative, and not passed by the new joint.
+      void
+      check_limits(const Multibody::JointParameters &joint) const;
+
       /// A ring in a housing is not everything at once.
       void
       check_housing(const Multibody::JointParameters &joint) const;

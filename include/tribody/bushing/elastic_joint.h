@@ -59,6 +59,24 @@ namespace Tribody
       void
       update(const Wear::WearProfile &profile);
 
+<<<<<<< HEAD
+      /// Take the shape of @p profile with the compliance for the depth
+      /// @p compliance_depth [m], as a run had them that has come to this
+      /// shape.
+      void
+      restore(const Wear::WearProfile &profile,
+              const Eigen::VectorXd   &compliance_depth);
+
+      /// The depth that the compliance belongs to [m].
+      const Eigen::VectorXd &
+      compliance_depth() const
+      {
+        return depth_at_compliance;
+      }
+
+=======
+      /// As manufactured.
+>>>>>>> h-doc
       const BoreNodes &
       bore_nodes() const
       {
@@ -94,6 +112,7 @@ namespace Tribody
         return ring_housing;
       }
 
+      /// Whether the compliance has a share of the pin.
       bool
       has_elastic_pin() const
       {
@@ -107,12 +126,16 @@ namespace Tribody
         return geometry.removed_area();
       }
 
+<<<<<<< HEAD
+=======
+      /// How often the compliance has been computed, the unworn one included.
       unsigned int
       n_compliance_builds() const
       {
         return n_builds;
       }
 
+>>>>>>> h-doc
       /// Write displacement and stresses under @p contact, and the wear, to a
       /// VTU file: the first rank does, or all together if they share the mesh.
       void
@@ -120,6 +143,9 @@ namespace Tribody
                 const Contact::ContactSolution &contact) const;
 
     private:
+      void
+      take_shape(const Wear::WearProfile &profile);
+
       void
       setup_pin(const BushingParameters          &parameters,
                 const Multibody::JointParameters &joint);
@@ -130,9 +156,9 @@ namespace Tribody
       Eigen::MatrixXd
       bushing_compliance() const;
 
-      MPI_Comm    communicator;
-      std::string pressure_model;
-      double      outer_radius;
+      MPI_Comm      communicator;
+      PressureModel pressure_model;
+      double        outer_radius;
       /// Of the unworn bushing.
       bool                                      cells_are_alike;
       std::unique_ptr<dealii::Triangulation<2>> triangulation;
@@ -153,7 +179,6 @@ namespace Tribody
       /// Of bore and pin, at the nodes that can be touched.
       Contact::Compliance joint_compliance;
       Eigen::VectorXd     depth_at_compliance;
-      unsigned int        n_builds = 0;
     };
   } // namespace Coupling
 } // namespace Tribody

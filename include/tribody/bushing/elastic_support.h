@@ -5,7 +5,7 @@
 
 #include <tribody/contact/contact_solver.h>
 #include <tribody/multibody/joints/pin_support.h>
-#include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/periodic_profile.h>
 
 #include <memory>
 #include <optional>
@@ -39,7 +39,7 @@ namespace Tribody
       ElasticSupport(const ElasticJoint      &joint,
                      const BushingParameters &parameters,
                      const double             pin_radius,
-                     const ClearanceProfile  &pin_wear = ClearanceProfile(0.));
+                     const PeriodicProfile   &pin_wear = PeriodicProfile(0.));
 
       Multibody::SupportForce
       compute_force(const Eigen::Vector2d &e,
@@ -72,10 +72,10 @@ namespace Tribody
       check(const Contact::ContactSolution &solution,
             const std::string              &given) const;
 
-      std::string      name;
-      double           axial_length;
-      ClearanceProfile pin_wear;
-      Eigen::VectorXd  facing_angles;
+      std::string     name;
+      double          axial_length;
+      PeriodicProfile pin_wear;
+      Eigen::VectorXd facing_angles;
       // Where the solver begins, and what was asked last: the integrator often
       // asks again.
       mutable Contact::ContactSolver                  solver;

@@ -11,8 +11,8 @@
 #include <tribody/contact/contact_solution.h>
 #include <tribody/multibody/joints/joint_parameters.h>
 #include <tribody/surface/bore_surface.h>
-#include <tribody/surface/clearance_profile.h>
 #include <tribody/surface/joint_clearance.h>
+#include <tribody/surface/periodic_profile.h>
 #include <tribody/wear/wear_law.h>
 #include <tribody/wear/wear_profile.h>
 
@@ -91,8 +91,10 @@ namespace Tribody
 
     /**
      * The bushing of one joint, whose bore wears, and with it the pin if that
-     * has a wear coefficient. Its state is the depth of both; what gives way
-     * follows from it, see ElasticJoint.
+     * has a wear coefficient. It has the shape that it was given last; all that
+     * it holds follows from that: from the depth of both surfaces, and from the
+     * depth for which the compliance was computed, see ElasticJoint. A run
+     * keeps these in JointState.
      *
      * Two operations make up the chain: compute_cycle_contact() turns joint
      * forces and sliding into pressure and wear per cycle, set_depth() turns
@@ -182,6 +184,19 @@ namespace Tribody
       void
       set_depth(const Eigen::VectorXd &depth);
 
+      /// Take the shape that a run has come to: surfaces worn by @p depth [m]
+      /// with the compliance for @p depth_at_compliance [m], see there.
+      void
+      restore(const Eigen::VectorXd &depth,
+              const Eigen::VectorXd &depth_at_compliance);
+
+      /// The depth of the bore for which the compliance was computed [m].
+      const Eigen::VectorXd &
+      depth_at_compliance() const
+      {
+        return elastic.compliance_depth();
+      }
+
       /// One value per wearing node [m].
       Eigen::VectorXd
       depth() const;
@@ -218,12 +233,12 @@ namespace Tribody
 
       /// Clearance between the unworn pin and the worn bore, c + h, over the
       /// angle in the bushing's frame (eq. 28).
-      ClearanceProfile
+      PeriodicProfile
       clearance_profile() const;
 
       /// What wear has taken from the pin's radius, over the angle in the pin's
       /// frame: zero everywhere if the pin does not wear.
-      ClearanceProfile
+      PeriodicProfile
       pin_wear_profile() const;
 
       /// The worn surfaces as the dynamics takes them. A ring without inertia
@@ -266,12 +281,6 @@ namespace Tribody
       write_vtu(const std::string  &file_name,
                 const CycleContact &contact) const;
 
-      unsigned int
-      n_compliance_builds() const
-      {
-        return elastic.n_compliance_builds();
-      }
-
       bool
       has_elastic_pin() const
       {
@@ -291,6 +300,10 @@ namespace Tribody
       }
 
     private:
+      /// The bore worn by its part of @p depth.
+      Wear::WearProfile
+      profile_for_depth(const Eigen::VectorXd &depth) const;
+
       /// How the nodes in contact are found: by the contact problem, or they
       /// are given.
       enum class Nodes
@@ -298,6 +311,14 @@ namespace Tribody
         solved,
         held
       };
+
+      /// The surfaces worn by @p depth over a cycle, before anything presses on
+      /// them.
+      CycleContact
+      face_surfaces(const Eigen::VectorXd           &depth,
+                    const Multibody::JointDutyCycle &cycle,
+                    const CycleContact              *similar,
+                    const double                     sliding_distance) const;
 
       CycleContact
       compute_contact(const Eigen::VectorXd           &depth,

@@ -23,6 +23,7 @@ namespace Tribody
      */
     struct CaseParameters
     {
+      /// One line that says what the case is, for log and summary.
       std::string title;
       /// Cycles to run; 0: dynamics only.
       unsigned int cycles = 0;
@@ -31,11 +32,17 @@ namespace Tribody
       /// Times at which fields are written, the first and last cycle included.
       unsigned int n_outputs = 3;
 
+      /// Bodies, joints, drivers, springs and forces; joints know their
+      /// materials.
       Multibody::MechanismParameters mechanism;
-      Multibody::DynamicsParameters  dynamics;
-      std::vector<Material>          materials;
+      /// How the motion is computed and when it counts as settled.
+      Multibody::DynamicsParameters dynamics;
+      /// All that the file lists, whether something is made of them or not.
+      std::vector<Material> materials;
+      /// One for each joint that wears; has the name of that joint.
       std::vector<BushingParameters> bushings;
-      WearParameters                 wear;
+      /// How the wear of one cycle is carried over many.
+      WearParameters wear;
 
       /// All of this as a parameter file with documentation.
       std::string text;

@@ -25,6 +25,7 @@ namespace Tribody
       /// @param matrix symmetric and positive definite.
       Compliance(Eigen::MatrixXd matrix = Eigen::MatrixXd());
 
+      /// C [m per N/m], one row and column per node.
       const Eigen::MatrixXd &
       matrix() const
       {

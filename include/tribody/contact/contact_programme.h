@@ -21,10 +21,14 @@ namespace Tribody
      */
     struct ContactProgramme
     {
-      const Eigen::MatrixXd  &compliance;
-      const Eigen::VectorXd  &gap;
+      /// C [m per N/m].
+      const Eigen::MatrixXd &compliance;
+      /// g, the gaps without forces at the place of linearisation [m].
+      const Eigen::VectorXd &gap;
+      /// m_i, one column per node.
       const Eigen::Matrix2Xd &directions;
-      bool                    pin_is_free;
+      /// Whether the force on the pin is given; else its place is.
+      bool pin_is_free;
       /// f [N/m]; not read unless the pin is free.
       Eigen::Vector2d force;
       /// A gap is open if it is larger than minus this [m].
@@ -38,11 +42,16 @@ namespace Tribody
     /// What solves a ContactProgramme.
     struct ContactProgrammeSolution
     {
+      /// lambda [N/m].
       Eigen::VectorXd nodal_force;
-      Eigen::Vector2d pin_step  = Eigen::Vector2d::Zero();
+      /// d, from the place of linearisation [m].
+      Eigen::Vector2d pin_step = Eigen::Vector2d::Zero();
+      /// The same of a free ring in its housing [m].
       Eigen::Vector2d ring_step = Eigen::Vector2d::Zero();
-      ActiveSet       active_set;
-      SolverReport    report;
+      /// Nodes with a force, those of the rim included.
+      ActiveSet active_set;
+      /// How the active-set method ended.
+      SolverReport report;
     };
 
     /**

@@ -39,6 +39,7 @@ namespace Tribody
       Eigen::Vector2d force = Eigen::Vector2d::Zero();
       /// As in ContactSolution.
       ActiveSet active_set;
+      /// As in ContactSolution: what an iteration would take next.
       ActiveSet next_active_set;
     };
 
@@ -60,14 +61,17 @@ namespace Tribody
       Eigen::Vector2d pin_centre = Eigen::Vector2d::Zero();
       /// Force of the pin on the bushing per axial length [N/m].
       Eigen::Vector2d force = Eigen::Vector2d::Zero();
-      ActiveSet       active_set;
+      /// Nodes that are held on the pin.
+      ActiveSet active_set;
       /// The nodes that an iteration of the active sets would take next: the
       /// same if the contact is solved.
       ActiveSet next_active_set;
       /// See contact_half_angle() [rad].
-      double       half_angle = 0.;
+      double half_angle = 0.;
+      /// How the iteration ended.
       SolverReport report;
-      RimContact   rim;
+      /// Of a ring in a housing; else empty.
+      RimContact rim;
     };
 
     /// How many nodes are held though the next active set has them free, or the

@@ -25,6 +25,7 @@ namespace Tribody
       /// Linearisations of the fall-back [-].
       unsigned int max_linearisations = 30;
 
+      /// Declares in the current subsection.
       void
       add_parameters(dealii::ParameterHandler &prm);
 

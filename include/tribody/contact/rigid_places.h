@@ -26,7 +26,9 @@ namespace Tribody
     template <int n_free>
     struct RigidPlaces
     {
+      /// A matrix by the coordinates of the places.
       using Square = Eigen::Matrix<double, n_free, n_free>;
+      /// The coordinates of the places, e and then d.
       using Vector = Eigen::Matrix<double, n_free, 1>;
 
       /// The column of M in which the entries of node @p i begin.

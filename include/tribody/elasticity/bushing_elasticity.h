@@ -117,26 +117,29 @@ namespace Tribody
       void
       move_rigidly(MeshVector &displacement, const Eigen::Vector2d &step) const;
 
+      /// Of the displacements; follows no geometry, since that is in the
+      /// mapping.
       const dealii::DoFHandler<2, 2> &
       get_dof_handler() const
       {
         return dof_handler;
       }
 
+      /// The nodes that the pin may touch, as manufactured.
       const BoreNodes &
       bore_nodes() const
       {
         return nodes;
       }
 
-      /// Without nodes unless the ring lies in a housing; likewise the curve
-      /// through them, whose normals point out of the ring.
+      /// Where the housing may touch the ring; none without a housing.
       const BoreNodes &
       rim_nodes() const
       {
         return rim;
       }
 
+      /// The curve through the rim_nodes(); its normals point out of the ring.
       const BoreSurface &
       rim_surface() const
       {
@@ -151,6 +154,7 @@ namespace Tribody
         return stiffness;
       }
 
+      /// The law of the material in the plane.
       const PlaneHooke &
       hooke() const
       {

@@ -21,9 +21,10 @@ namespace Tribody
     {
       /// Empty: there is none.
       std::string name;
-      /// Gmsh's physical groups of the curves.
+      /// Gmsh's physical group of the bore.
       unsigned int bore_id = 1;
-      unsigned int rim_id  = 2;
+      /// Gmsh's physical group of the rim.
+      unsigned int rim_id = 2;
       /// What a coordinate 1 in the file stands for [m].
       double length_unit = 1.;
       /// How often every cell is divided into four.
@@ -33,6 +34,7 @@ namespace Tribody
       void
       add_parameters(dealii::ParameterHandler &prm);
 
+      /// Whether there is a file; else a ring is meshed.
       bool
       is_given() const
       {

@@ -73,6 +73,7 @@ namespace Tribody
       normal_compliance(const Eigen::Matrix2Xd &normals,
                         const RingSymmetry symmetry = RingSymmetry::none) const;
 
+      /// The nodes on the pin's surface, in the pin's own frame.
       const BoreNodes &
       surface_nodes() const
       {

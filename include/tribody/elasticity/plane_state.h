@@ -3,6 +3,7 @@
 #ifndef tribody_elasticity_plane_state_h
 #define tribody_elasticity_plane_state_h
 
+#include <tribody/base/choice.h>
 #include <tribody/base/material.h>
 
 namespace Tribody
@@ -18,6 +19,13 @@ namespace Tribody
       strain,
       stress
     };
+
+    inline ChoiceNames<PlaneState>
+    choice_names(const PlaneState)
+    {
+      return {{PlaneState::strain, "plane strain"},
+              {PlaneState::stress, "plane stress"}};
+    }
 
     /**
      * The law of Hooke in the plane,
@@ -35,6 +43,7 @@ namespace Tribody
       /// @f$\sigma_{zz} / (\sigma_{xx} + \sigma_{yy})@f$ [-].
       double axial_ratio;
 
+      /// Of a @p material in the given @p state; its density does not matter.
       PlaneHooke(const Material &material, const PlaneState state)
       {
         const double E  = material.youngs_modulus;

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <tribody/base/choice.h>
 #include <tribody/elasticity/ring_mesh.h>
 
 #include <string>
@@ -28,8 +29,13 @@ namespace Tribody
      */
     struct RimShape
     {
-      /// "circle" or "ellipse".
-      std::string kind = "circle";
+      enum class Kind
+      {
+        circle,
+        ellipse
+      };
+
+      Kind kind = Kind::circle;
       /// c [m].
       dealii::Point<2> centre = dealii::Point<2>();
       /// b [m] of an ellipse.
@@ -46,16 +52,25 @@ namespace Tribody
             const double       inner_radius,
             const double       outer_radius) const;
 
+      /// Whether bore and rim are circles about one centre, so that all cells
+      /// are alike.
       bool
       is_concentric_circle() const
       {
-        return kind == "circle" && centre.norm() == 0.;
+        return kind == Kind::circle && centre.norm() == 0.;
       }
 
       /// x(t) [m] with the first semi-axis @p outer_radius.
       dealii::Point<2>
       point(const double outer_radius, const double t) const;
     };
+
+    inline ChoiceNames<RimShape::Kind>
+    choice_names(const RimShape::Kind)
+    {
+      return {{RimShape::Kind::circle, "circle"},
+              {RimShape::Kind::ellipse, "ellipse"}};
+    }
 
     /**
      * Mesh the ring between the circle of @p inner_radius and the rim @p shape.

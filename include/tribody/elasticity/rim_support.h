@@ -3,6 +3,8 @@
 #ifndef tribody_elasticity_rim_support_h
 #define tribody_elasticity_rim_support_h
 
+#include <tribody/base/choice.h>
+
 #include <string>
 
 namespace dealii
@@ -28,17 +30,23 @@ namespace Tribody
   namespace Elasticity
   {
     /**
-     * What holds a bushing at its rim: a rigid seat, u = 0 ("clamped"), or
-     * springs spread over the rim ("elastic foundation") that push back with
+     * What holds a bushing at its rim: a rigid seat, u = 0 (clamped), or
+     * springs spread over the rim (elastic foundation) that push back with
      * @f[ \sigma n = -k_n (u \cdot n)\,n - k_t (u \cdot t)\,t, @f]
      * n and t being normal and tangent of the rim; or nothing but the pressure
-     * of a rigid, round and smooth bore around it ("housing"), in which it lies
+     * of a rigid, round and smooth bore around it (housing), in which it lies
      * with a gap. Keys keep it from turning, see assemble_keys().
      */
     struct RimSupport
     {
-      /// "clamped", "elastic foundation" or "housing".
-      std::string kind = "clamped";
+      enum class Kind
+      {
+        clamped,
+        elastic_foundation,
+        housing
+      };
+
+      Kind kind = Kind::clamped;
       /// k_n [N/m^3].
       double normal_stiffness = 0.;
       /// k_t [N/m^3]; 0: k_n.
@@ -56,18 +64,28 @@ namespace Tribody
       void
       check(const std::string &path) const;
 
+      /// Whether the rim does not move at all.
       bool
       is_clamped() const
       {
-        return kind == "clamped";
+        return kind == Kind::clamped;
       }
 
+      /// Whether the ring is free and its rim has contacts of its own.
       bool
       is_housing() const
       {
-        return kind == "housing";
+        return kind == Kind::housing;
       }
     };
+
+    inline ChoiceNames<RimSupport::Kind>
+    choice_names(const RimSupport::Kind)
+    {
+      return {{RimSupport::Kind::clamped, "clamped"},
+              {RimSupport::Kind::elastic_foundation, "elastic foundation"},
+              {RimSupport::Kind::housing, "housing"}};
+    }
 
     /**
      * Add the springs of @p support at BoundaryIds::rim to @p matrix, which

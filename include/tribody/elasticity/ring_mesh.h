@@ -39,6 +39,7 @@ namespace Tribody
       /// Where that sector begins and ends, counter-clockwise [rad].
       dealii::Point<2> sector = dealii::Point<2>();
 
+      /// Declares in the current subsection.
       void
       add_parameters(dealii::ParameterHandler &prm);
 

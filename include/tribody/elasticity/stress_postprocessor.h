@@ -22,20 +22,26 @@ namespace Tribody
     class StressPostprocessor : public dealii::DataPostprocessor<2>
     {
     public:
+      /// @param law of the material whose displacement is shown.
       explicit StressPostprocessor(const PlaneHooke &law);
 
+      /// For DataOut: stresses from the gradients of the displacement.
       void
       evaluate_vector_field(
         const dealii::DataPostprocessorInputs::Vector<2> &inputs,
         std::vector<dealii::Vector<double>> &stresses) const override;
 
       std::vector<std::string>
+      /// For DataOut: stress (four times, a tensor), axial_stress,
+      /// von_mises_stress.
       get_names() const override;
 
       std::vector<
         dealii::DataComponentInterpretation::DataComponentInterpretation>
+      /// For DataOut: which of the components form a tensor.
       get_data_component_interpretation() const override;
 
+      /// For DataOut: gradients.
       dealii::UpdateFlags
       get_needed_update_flags() const override;
 

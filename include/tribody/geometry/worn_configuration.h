@@ -123,6 +123,7 @@ namespace Tribody
         return wear;
       }
 
+      /// Of mesh and wear displacement.
       const dealii::DoFHandler<2, 2> &
       get_dof_handler() const
       {

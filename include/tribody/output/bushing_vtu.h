@@ -28,21 +28,25 @@ namespace Tribody
      */
     struct BushingFields
     {
-      const dealii::Mapping<2, 2>        &worn_mapping;
-      const dealii::DoFHandler<2, 2>     &dof_handler;
-      const BoreNodes                    &bore_nodes;
+      /// Onto the worn bushing.
+      const dealii::Mapping<2, 2> &worn_mapping;
+      /// Of both displacements.
+      const dealii::DoFHandler<2, 2> &dof_handler;
+      /// Nodes of the bore, to which contact_pressure and wear_depth belong.
+      const BoreNodes &bore_nodes;
+      /// Computes stresses from the displacement while the file is written.
       const dealii::DataPostprocessor<2> &stresses;
       /// Elastic displacement [m] in the sample shown.
       const MeshVector &displacement;
       /// By how much wear has moved the mesh [m].
       const MeshVector &wear_displacement;
-      /// At the bore nodes: contact pressure [Pa] in the sample shown and wear
-      /// depth [m].
+      /// Contact pressure at the bore nodes in the sample shown [Pa].
       const Eigen::VectorXd &contact_pressure;
+      /// Wear depth at the bore nodes [m].
       const Eigen::VectorXd &wear_depth;
-      /// Of a ring in a housing: the nodes of its rim and the pressure there
-      /// [Pa]; else both empty.
-      const BoreNodes       &rim_nodes;
+      /// Nodes of the rim of a ring in a housing; else empty.
+      const BoreNodes &rim_nodes;
+      /// Pressure on the rim_nodes [Pa]; empty without a housing.
       const Eigen::VectorXd &rim_pressure;
     };
 

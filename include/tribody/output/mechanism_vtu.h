@@ -33,7 +33,8 @@ namespace Tribody
     {
       /// Two or more, global axes [m].
       std::vector<Eigen::Vector2d> points;
-      MechanismPart                part = MechanismPart::link;
+      /// What the line shows, to colour by.
+      MechanismPart part = MechanismPart::link;
       /// Number of the body that it moves with; -1: the ground.
       int body = -1;
       /// Number of the joint that it belongs to; -1: none.

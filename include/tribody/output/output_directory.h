@@ -49,6 +49,7 @@ namespace Tribody
       std::string
       joint_file(const std::string &joint, const std::string &name) const;
 
+      /// Of the directory itself, as the user has given it.
       const std::string &
       path() const
       {

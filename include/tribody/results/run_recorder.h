@@ -11,7 +11,7 @@
 #include <tribody/stepping/run_state.h>
 
 #include <chrono>
-#include <list>
+#include <deque>
 #include <memory>
 #include <mpi.h>
 #include <string>
@@ -45,7 +45,7 @@ namespace Tribody
       /// Write down @p state, which was reached by the wear step
       /// state.counts.wear_steps.
       void
-      record(const RunState &state, const std::list<WearingBushing> &bushings);
+      record(const RunState &state, const std::deque<WearingBushing> &bushings);
 
       /// Cycles at which fields are to be written next.
       double
@@ -54,8 +54,8 @@ namespace Tribody
       /// Write the fields of @p state now, if record() has not just done so:
       /// for a run that ends before its time.
       void
-      record_fields(const RunState                  &state,
-                    const std::list<WearingBushing> &bushings);
+      record_fields(const RunState                   &state,
+                    const std::deque<WearingBushing> &bushings);
 
       /// Seconds since start().
       double
@@ -69,12 +69,12 @@ namespace Tribody
       vtu_name() const;
 
       void
-      write_fields(const RunState                  &state,
-                   const std::list<WearingBushing> &bushings);
+      write_fields(const RunState                   &state,
+                   const std::deque<WearingBushing> &bushings);
 
       void
-      write_history_row(const RunState                  &state,
-                        const std::list<WearingBushing> &bushings);
+      write_history_row(const RunState                   &state,
+                        const std::deque<WearingBushing> &bushings);
 
       // A film of the moving mechanism; the last one stays.
       void
@@ -89,8 +89,8 @@ namespace Tribody
       write_pin(const RunState &state, const WearingBushing &bushing) const;
 
       void
-      print_progress(const RunState                  &state,
-                     const std::list<WearingBushing> &bushings);
+      print_progress(const RunState                   &state,
+                     const std::deque<WearingBushing> &bushings);
 
       const CaseParameters       &parameters;
       const Multibody::Mechanism &mechanism;

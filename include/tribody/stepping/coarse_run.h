@@ -3,14 +3,11 @@
 #ifndef tribody_stepping_coarse_run_h
 #define tribody_stepping_coarse_run_h
 
-#include <tribody/bushing/wearing_bushing.h>
-#include <tribody/stepping/cycle_jump.h>
-#include <tribody/stepping/mesh_error.h>
 #include <tribody/stepping/run_state.h>
 #include <tribody/stepping/wear_parameters.h>
+#include <tribody/stepping/wear_process.h>
 
-#include <list>
-#include <memory>
+#include <deque>
 #include <vector>
 
 namespace Tribody
@@ -29,37 +26,31 @@ namespace Tribody
     {
     public:
       /// @param bushings those of the run; what has no coarser mesh stays out.
-      CoarseRun(const WearParameters            &parameters,
-                const std::list<WearingBushing> &bushings);
+      CoarseRun(const WearParameters             &parameters,
+                const std::deque<WearingBushing> &bushings);
 
-      CoarseRun(const CoarseRun &) = delete;
-      CoarseRun &
-      operator=(const CoarseRun &) = delete;
-
-      /// Before any wear: compare the first cycle of @p state.
+      /// Before any wear: the first cycle of the run on coarser meshes.
       void
-      start(const RunState &state, const std::list<WearingBushing> &bushings);
+      start(const WearProcess &run);
 
-      /// Wear under @p cycle up to @p end [cycles], if the whole run is asked
-      /// for.
+      /// Wear as far as @p run has under its duty cycle, if the whole run is
+      /// asked for. Called before the run renews that.
       void
-      follow(const Multibody::DutyCycle &cycle, const double end);
+      follow(const WearProcess &run);
 
       /// The differences so far, one entry per bushing of the run.
       const std::vector<MeshError> &
-      compare(const std::list<WearingBushing> &bushings);
+      mesh_errors() const
+      {
+        return errors;
+      }
 
     private:
-      void
-      solve_contacts();
-
-      bool                       follows_whole_run;
-      std::list<WearingBushing>  coarse;
-      RunState                   state;
-      StopConditions             no_conditions;
-      std::unique_ptr<CycleJump> jump;
-
-      std::vector<MeshError> errors;
+      bool        follows_whole_run;
+      WearProcess twin;
+      /// Which bushing of the run each of the twin's belongs to.
+      std::vector<std::size_t> bushing_of_run;
+      std::vector<MeshError>   errors;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -5,7 +5,9 @@
 
 #include <tribody/stepping/cycle_jump.h>
 
-#include <list>
+#include <deque>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace Tribody
@@ -21,35 +23,33 @@ namespace Tribody
     {
     public:
       /// @param cycles_per_step A_E; 0: a safe part of the stable length.
-      ConstantJump(std::list<WearingBushing> &bushings,
-                   const StopConditions      &stop_conditions,
-                   const double               cycles_per_step,
-                   const bool                 keep_first_rate = false);
+      ConstantJump(const std::deque<WearingBushing> &bushings,
+                   const StopConditions             &stop_conditions,
+                   const double                      cycles_per_step,
+                   const bool                        keep_first_rate = false);
 
-      int
+      WearStep
       advance(RunState &state, const double end) override;
 
       std::vector<StepError>
-      estimate_error(const std::vector<CycleContact> &contacts_after,
-                     const double                     cycles_kept) override;
-
-      unsigned int
-      n_rate_evaluations() const override
-      {
-        return 0;
-      }
+      estimate_error(RunState &state, const double cycles_kept) override;
 
     private:
       void
-      update_stable_step(RunState &state);
+      update_stable_step(RunState &state) const;
+
+      std::vector<Eigen::VectorXd>
+      depths_after(const std::vector<WearRates> &rates,
+                   const double                  n_cycles) const;
+
+      /// When a limit is passed within @p n_cycles: the first to be passed, and
+      /// after how many cycles.
+      std::optional<std::pair<unsigned int, double>>
+      find_passed_limit(const std::vector<WearRates> &rates,
+                        const double                  n_cycles) const;
 
       double cycles_per_step;
       bool   keep_first_rate;
-      /// Compliance builds that the stable length belongs to.
-      unsigned int stable_step_builds = 0;
-      /// At the start of the last step, and those whose rates it took.
-      std::vector<CycleContact> contacts_before;
-      std::vector<CycleContact> used_contacts;
     };
   } // namespace Coupling
 } // namespace Tribody

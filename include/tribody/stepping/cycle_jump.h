@@ -9,13 +9,31 @@
 #include <tribody/stepping/stop_conditions.h>
 
 #include <array>
-#include <list>
+#include <deque>
+#include <optional>
 #include <vector>
 
 namespace Tribody
 {
   namespace Coupling
   {
+    /// What a wear step does to the joints, one entry per bushing.
+    struct WearStep
+    {
+      /// Where it ends [cycles].
+      double cycles;
+      /// The depths there [m], and the cross-section areas that the wearing
+      /// nodes have lost in the step [m^2].
+      std::vector<Eigen::VectorXd> depths;
+      std::vector<Eigen::VectorXd> removed_areas;
+      /// Number of the stop condition that it ends at.
+      std::optional<unsigned int> reached;
+      /// How often the wear of a cycle was computed. An iteration of a stage
+      /// counts as one: it solves twice with the nodes in contact given, where
+      /// a contact problem takes at least as many iterations.
+      unsigned int n_rate_evaluations = 0;
+    };
+
     /// Estimated error that a wear step leaves in a bushing and its pin.
     struct StepError
     {
@@ -27,54 +45,41 @@ namespace Tribody
     /**
      * Carries the wear of one cycle over many: one step of @f$ dh/dN = W(h)
      * @f$ for all bushings together, under the duty cycle that RunState holds.
+     * What lasts from step to step is in RunState::stepper; what the estimate
+     * of an error needs of the step before it is kept here.
      */
     class CycleJump
     {
     public:
-      CycleJump(std::list<WearingBushing> &bushings,
-                const StopConditions      &stop_conditions);
+      /// Both must outlive this object.
+      CycleJump(const std::deque<WearingBushing> &bushings,
+                const StopConditions             &stop_conditions);
 
       virtual ~CycleJump() = default;
 
       /**
-       * Let the bushings wear, at most up to @p end [cycles].
-       * @param state duty cycle and contacts at its number of cycles; cycles
-       *   and totals are moved on.
-       * @return index of the stop condition that was reached, or -1.
+       * One step from @p state, at most to @p end [cycles]. The contacts of the
+       * joints belong to their depths; the bushings have these shapes.
+       * @param state is left as it is, but for its stepper.
        */
-      virtual int
+      virtual WearStep
       advance(RunState &state, const double end) = 0;
 
       /**
-       * Estimate of the error of the last step, one value per bushing, now that
-       * @p contacts_after are known: those at its end, under the duty cycle and
-       * with the compliance that belong to the new shape.
-       *
+       * Estimate of the error of the last step, one value per bushing.
+       * @param state after it, with the contacts under the duty cycle and with
+       *   the compliance that belong to the new shape. Its stepper is made
+       *   ready for the next step.
        * @param cycles_kept since the duty cycle was renewed last, at least the
-       *   last step; if contacts_after are still under the old one, the last
+       *   last step; if the contacts are still under the old one, the last
        *   step.
        */
       virtual std::vector<StepError>
-      estimate_error(const std::vector<CycleContact> &contacts_after,
-                     const double                     cycles_kept) = 0;
-
-      /// How often the wear of a cycle was computed. An iteration of a stage
-      /// counts as one: it solves twice with the nodes in contact given, where
-      /// a contact problem takes at least as many iterations.
-      virtual unsigned int
-      n_rate_evaluations() const = 0;
+      estimate_error(RunState &state, const double cycles_kept) = 0;
 
     protected:
-      /// Let @p bushing be worn by @p depth, and count the cross-section
-      /// areas that its wearing nodes have lost, @p removed_area [m^2].
-      static void
-      wear(WearingBushing        &bushing,
-           BushingTotals         &totals,
-           const Eigen::VectorXd &depth,
-           const Eigen::VectorXd &removed_area);
-
-      std::list<WearingBushing> &bushings;
-      const StopConditions      &stop_conditions;
+      const std::deque<WearingBushing> &bushings;
+      const StopConditions             &stop_conditions;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -9,7 +9,7 @@
 #include <tribody/wear/implicit_extrapolation.h>
 #include <tribody/wear/stage_matrix.h>
 
-#include <list>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -50,22 +50,15 @@ namespace Tribody
     {
     public:
       /// @param tolerance relative error of the depth that a step may make.
-      ImplicitJump(std::list<WearingBushing> &bushings,
-                   const StopConditions      &stop_conditions,
-                   const double               tolerance);
+      ImplicitJump(const std::deque<WearingBushing> &bushings,
+                   const StopConditions             &stop_conditions,
+                   const double                      tolerance);
 
-      int
+      WearStep
       advance(RunState &state, const double end) override;
 
       std::vector<StepError>
-      estimate_error(const std::vector<CycleContact> &contacts_after,
-                     const double                     cycles_kept) override;
-
-      unsigned int
-      n_rate_evaluations() const override
-      {
-        return n_evaluations;
-      }
+      estimate_error(RunState &state, const double cycles_kept) override;
 
     private:
       Wear::WearEquation
@@ -110,27 +103,24 @@ namespace Tribody
       std::vector<Eigen::VectorXd>
       depths_after(const Eigen::VectorXd &y) const;
 
-      /// The part of @p y that belongs to bushing @p b.
+      /// The part of @p y that belongs to bushing @p j.
       Eigen::VectorXd
-      part(const Eigen::VectorXd &y, const std::size_t b) const;
+      part(const Eigen::VectorXd &y, const std::size_t j) const;
 
       double tolerance;
       /// Of each bushing in y; then the number of entries.
-      std::vector<Eigen::Index>   first_entry;
+      std::vector<Eigen::Index> first_entry;
+
+      // Of the step under way, or of the last one until its error is known.
       Wear::ImplicitExtrapolation integrator;
       const RunState             *run = nullptr;
-      /// Of the last iteration; empty before the first step.
-      std::vector<CycleContact> contacts;
       /// Of the last iteration.
-      Wear::StageMatrix stage_matrix;
-      unsigned int      n_evaluations = 0;
-      /// What the last step's end changes in the rate, as far as it lasts.
-      Eigen::VectorXd rate_change;
-      /// Bound of the next step [cycles] from what changes between steps.
-      double          max_step = 0.;
-      Eigen::VectorXd weights;
-      /// Of each surface at the start of the step [m].
-      std::vector<double> largest_depths;
+      std::vector<CycleContact> contacts;
+      Wear::StageMatrix         stage_matrix;
+      unsigned int              n_evaluations = 0;
+      Eigen::VectorXd           weights;
+      /// Of each surface of each bushing at the start of the step [m].
+      std::vector<std::vector<double>> largest_depths;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -6,7 +6,7 @@
 #include <tribody/stepping/cycle_jump.h>
 #include <tribody/stepping/wear_parameters.h>
 
-#include <list>
+#include <deque>
 #include <memory>
 
 namespace Tribody
@@ -16,9 +16,9 @@ namespace Tribody
     /// The extrapolation that @p parameters ask for. It keeps references to
     /// @p bushings and @p stop_conditions.
     std::unique_ptr<CycleJump>
-    make_jump(const WearParameters      &parameters,
-              std::list<WearingBushing> &bushings,
-              const StopConditions      &stop_conditions);
+    make_jump(const WearParameters             &parameters,
+              const std::deque<WearingBushing> &bushings,
+              const StopConditions             &stop_conditions);
   } // namespace Coupling
 } // namespace Tribody
 

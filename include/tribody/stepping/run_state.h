@@ -3,9 +3,12 @@
 #ifndef tribody_stepping_run_state_h
 #define tribody_stepping_run_state_h
 
+#include <Eigen/Core>
+
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/stepping/mesh_error.h>
+#include <tribody/wear/implicit_extrapolation.h>
 
 #include <array>
 #include <string>
@@ -26,7 +29,7 @@ namespace Tribody
     };
 
     /// What a run adds up for one bushing and its pin.
-    struct BushingTotals
+    struct JointTotals
     {
       /// In the order of WearingBushing::surfaces().
       std::array<SurfaceTotals, 2> surfaces;
@@ -38,34 +41,98 @@ namespace Tribody
       Eigen::VectorXd depth_error;
     };
 
+    /// All that a run has done to one joint that wears. Depths have one value
+    /// per wearing node, those of the bore and then those of the pin [m].
+    struct JointState
+    {
+      Eigen::VectorXd depth;
+      /// What its elastic compliance and the motion of the mechanism were
+      /// computed for: both follow the depth with a lag.
+      Eigen::VectorXd depth_at_compliance;
+      Eigen::VectorXd depth_at_dynamics;
+      /// Contact and wear per cycle at the depth, under the duty cycle.
+      CycleContact contact;
+      JointTotals  totals;
+    };
+
+    /// What one cycle takes away: from CycleContact.
+    struct WearRates
+    {
+      Eigen::VectorXd wear_rate;
+      Eigen::VectorXd removed_area;
+    };
+
+    /// What the wear steps hand on to each other: nothing else of them lasts.
+    /// A run uses the part of its extrapolation.
+    struct StepperState
+    {
+      /// Implicit steps. The contacts of the last iteration, one per joint:
+      /// those of a stage, which say best which nodes to begin with.
+      std::vector<CycleContact> contacts;
+      /// The rate dy/dN at the end of the last step, with what its end has
+      /// changed [m^2 per cycle]; empty before the first.
+      Eigen::VectorXd rate;
+      /// Bound of the next step from what changes between steps [cycles]; 0:
+      /// none.
+      double                    max_step = 0.;
+      Wear::ExtrapolationMemory extrapolation;
+
+      /// Explicit steps. The rates at the beginning of the last step, and those
+      /// that it took, one per joint.
+      std::vector<WearRates> rates_before;
+      std::vector<WearRates> rates_taken;
+      /// Cycles up to which a step is stable, and the compliance builds that
+      /// this belongs to; 0: not known.
+      double       max_stable_step    = 0.;
+      unsigned int stable_step_builds = 0;
+    };
+
     /// What a run counts.
     struct RunCounts
     {
-      unsigned int wear_steps       = 0;
-      unsigned int rate_evaluations = 0;
-      unsigned int dynamics_cycles  = 0;
-      unsigned int contact_solves   = 0;
+      unsigned int wear_steps        = 0;
+      unsigned int rate_evaluations  = 0;
+      unsigned int dynamics_cycles   = 0;
+      unsigned int contact_solves    = 0;
+      unsigned int compliance_builds = 0;
     };
 
-    /// Where a run stands; lists have one entry per bushing.
+    /// What is kept of all duty cycles so far.
+    struct DynamicsTotals
+    {
+      /// Losses of contact, one per joint of the mechanism.
+      std::vector<unsigned int> contact_losses;
+      /// Largest violation of the constraints [m].
+      double constraint_drift = 0.;
+      /// Whether all had settled, and what the first one that did not go as
+      /// wished has to say.
+      bool        all_settled = true;
+      std::string settling_message;
+    };
+
+    /**
+     * Where a run stands; with the parameters it is all that the rest follows
+     * from. A plain value: a copy can be kept, and gone on with
+     * (WearProcess::restore()).
+     */
     struct RunState
     {
-      double                     cycles = 0.;
-      Multibody::DutyCycle       duty_cycle;
-      std::vector<CycleContact>  contacts;
-      std::vector<BushingTotals> totals;
-      RunCounts                  counts;
-      /// Over all duty cycles so far: losses of contact per joint, largest
-      /// drift [m], and whether all had settled.
-      std::vector<unsigned int> contact_losses;
-      double                    constraint_drift = 0.;
-      bool                      all_settled      = true;
-      /// What the first duty cycle that did not go as wished has to say.
-      std::string settling_message;
-      /// What the meshes do to the results; empty if nobody asked.
+      double cycles = 0.;
+      /// At which the motion was computed last.
+      double cycles_at_dynamics = 0.;
+      /// One per bushing.
+      std::vector<JointState> joints;
+      Multibody::DutyCycle    duty_cycle;
+      DynamicsTotals          dynamics;
+      StepperState            stepper;
+      RunCounts               counts;
+      /// What the mesh does to the results, one per bushing; empty if nobody
+      /// asked.
       std::vector<MeshError> mesh_errors;
-      /// Cycles up to which an explicit wear step is stable.
-      double max_stable_step = 0.;
+      /// The stop condition that has ended the run, for the user; or empty.
+      std::string stopped_by;
+      /// Whether the user knows that the explicit steps are too long.
+      bool unstable_step_reported = false;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -5,9 +5,10 @@
 
 #include <Eigen/Core>
 
+#include <tribody/bushing/joint_limits.h>
 #include <tribody/bushing/wearing_bushing.h>
 
-#include <list>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,13 @@ namespace Tribody
   {
     /**
      * When a run ends before its last cycle: the life of a joint is over
-     * once its depth, its clearance, or what bushing and pin have lost passes a
-     * limit (BushingLimits).
+     * once one of its quantities passes a limit (JointLimit).
      */
     class StopConditions
     {
     public:
-      explicit StopConditions(const std::list<WearingBushing> &bushings);
+      /// @param bushings must outlive this object.
+      explicit StopConditions(const std::deque<WearingBushing> &bushings);
 
       unsigned int
       n_conditions() const
@@ -44,24 +45,14 @@ namespace Tribody
       describe(const unsigned int condition) const;
 
     private:
-      enum class Quantity
-      {
-        max_depth,
-        clearance,
-        volume,
-        mass
-      };
-
       struct Condition
       {
         const WearingBushing *bushing;
-        std::size_t           index;
-        Quantity              quantity;
-        double                limit;
+        /// Number of the bushing.
+        std::size_t       joint;
+        const JointLimit *quantity;
+        double            limit;
       };
-
-      static double
-      value_of(const Condition &condition, const Eigen::VectorXd &depth);
 
       std::vector<Condition> conditions;
     };

@@ -19,7 +19,9 @@ namespace Tribody
     /// A system F(t, y, y') = 0 with functions whose zeros matter.
     struct ImplicitSystem
     {
-      using Vector      = Eigen::Map<Eigen::VectorXd>;
+      /// A view of entries that SUNDIALS owns, to be written.
+      using Vector = Eigen::Map<Eigen::VectorXd>;
+      /// The same, to be read.
       using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
       /// F(t, y, y').
@@ -35,18 +37,23 @@ namespace Tribody
         jacobian;
       /// Functions of (t, y) at whose zeros step() stops.
       std::function<void(const double, const ConstVector &, double *)> roots;
+      /// How many values roots() writes.
       unsigned int n_roots = 0;
     };
 
     /// How ImplicitSystem is to be integrated.
     struct IdaSettings
     {
-      double          relative_tolerance = 0.;
+      /// Error allowed in a step, relative to each unknown [-].
+      double relative_tolerance = 0.;
+      /// Error allowed in a step besides, one value per unknown and in its
+      /// unit.
       Eigen::VectorXd absolute_tolerances;
       /// 1 for differential components, 0 for algebraic ones, which are left
       /// out of the error test.
       Eigen::VectorXd is_differential;
-      unsigned int    maximum_order = 5;
+      /// Highest order of the BDF method, 1 to 5.
+      unsigned int maximum_order = 5;
       /// Longest step; 0: no limit.
       double maximum_step = 0.;
       /// First step; 0: IDA estimates it.
@@ -56,15 +63,29 @@ namespace Tribody
     /// What the integration has cost, summed over restarts.
     struct IntegratorStatistics
     {
-      unsigned long n_steps               = 0;
-      unsigned long n_residuals           = 0;
-      unsigned long n_jacobians           = 0;
+      /// Internal steps that were accepted.
+      unsigned long n_steps = 0;
+      /// Evaluations of the residual.
+      unsigned long n_residuals = 0;
+      /// Jacobians that were assembled and factorised.
+      unsigned long n_jacobians = 0;
+      /// Steps that were taken again because their error was too large.
       unsigned long n_error_test_failures = 0;
-      unsigned long n_nonlinear_failures  = 0;
-      unsigned long n_starts              = 0;
+      /// Newton iterations that did not converge.
+      unsigned long n_nonlinear_failures = 0;
+      /// Calls of start(); each begins with order 1.
+      unsigned long n_starts = 0;
 
+      /// Add what another integration has cost.
       IntegratorStatistics &
       operator+=(const IntegratorStatistics &other);
+
+      /// Starts after the first.
+      unsigned long
+      n_restarts() const
+      {
+        return n_starts > 0 ? n_starts - 1 : 0;
+      }
     };
 
     /**
@@ -107,6 +128,7 @@ namespace Tribody
       double
       time() const;
 
+      /// y at time().
       const Eigen::VectorXd &
       solution() const;
 
@@ -114,6 +136,7 @@ namespace Tribody
       void
       interpolate(const double t, Eigen::VectorXd &y) const;
 
+      /// Of all starts together.
       IntegratorStatistics
       statistics() const;
 

@@ -50,7 +50,9 @@ namespace Tribody
       virtual bool
       assemble(const Assembler &assembler) = 0;
 
-      SUNMatrix       matrix = nullptr;
+      /// For IDA; released with this object.
+      SUNMatrix matrix = nullptr;
+      /// Factorises and solves with the matrix; released with this object.
       SUNLinearSolver solver = nullptr;
     };
   } // namespace Sundials

@@ -20,13 +20,6 @@ namespace Tribody
      */
     N_Vector
     make_ida_vector(Eigen::VectorXd &x, SUNContext context);
-
-    /// The entries of a serial vector.
-    Eigen::Map<Eigen::VectorXd>
-    view(const N_Vector x);
-
-    Eigen::Map<const Eigen::VectorXd>
-    const_view(const N_Vector x);
   } // namespace Sundials
 } // namespace Tribody
 

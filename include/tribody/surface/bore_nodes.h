@@ -33,10 +33,12 @@ namespace Tribody
     /// Angles of the positions about the bore's centre (0, 0) [rad],
     /// ascending from node 0, in [0, 2 pi).
     Eigen::VectorXd angles;
-    /// Indices of the x and y degrees of freedom of each node.
+    /// Indices of the x degrees of freedom of each node.
     std::vector<dealii::types::global_dof_index> x_dofs;
+    /// Indices of the y degrees of freedom of each node.
     std::vector<dealii::types::global_dof_index> y_dofs;
 
+    /// Nodes around the curve; the first one is not repeated.
     Eigen::Index
     n_nodes() const
     {

@@ -35,6 +35,7 @@ namespace Tribody
     /// Area inside the curve [m^2].
     double enclosed_area = 0.;
 
+    /// Nodes around the curve; the first one is not repeated.
     Eigen::Index
     n_nodes() const
     {

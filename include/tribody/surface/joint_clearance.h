@@ -3,7 +3,7 @@
 #ifndef tribody_surface_joint_clearance_h
 #define tribody_surface_joint_clearance_h
 
-#include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/periodic_profile.h>
 
 namespace Tribody
 {
@@ -13,17 +13,17 @@ namespace Tribody
     JointClearance() = default;
 
     /// Whoever knows the bore only: the pin is as manufactured.
-    JointClearance(const ClearanceProfile &bushing,
-                   const ClearanceProfile &pin_wear = ClearanceProfile(0.))
+    JointClearance(const PeriodicProfile &bushing,
+                   const PeriodicProfile &pin_wear = PeriodicProfile(0.))
       : bushing(bushing)
       , pin_wear(pin_wear)
     {}
 
     /// Radius of the worn bore minus that of the pin as manufactured [m], over
     /// the angle in the bushing's frame.
-    ClearanceProfile bushing;
+    PeriodicProfile bushing;
     /// What the pin's radius has lost [m], over the angle in the pin's frame.
-    ClearanceProfile pin_wear;
+    PeriodicProfile pin_wear;
   };
 } // namespace Tribody
 

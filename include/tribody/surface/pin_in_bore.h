@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <tribody/base/choice.h>
 #include <tribody/surface/joint_clearance.h>
 
 namespace Tribody
@@ -16,27 +17,34 @@ namespace Tribody
    */
   struct SurfaceContact
   {
+    /// A gradient by w.
     using RowVector3 = Eigen::RowVector3d;
-    using Matrix23   = Eigen::Matrix<double, 2, 3>;
+    /// Derivatives of a vector by w, one column each.
+    using Matrix23 = Eigen::Matrix<double, 2, 3>;
 
-    /// delta [m], positive where pin and bore overlap, with first and second
-    /// derivatives.
-    double          penetration    = 0.;
-    RowVector3      d_penetration  = RowVector3::Zero();
+    /// delta [m], positive where pin and bore overlap.
+    double penetration = 0.;
+    /// Its gradient [-, -, m].
+    RowVector3 d_penetration = RowVector3::Zero();
+    /// Its second derivatives.
     Eigen::Matrix3d d2_penetration = Eigen::Matrix3d::Zero();
     /// n, the unit normal of the contact, into the bushing.
-    Eigen::Vector2d direction   = Eigen::Vector2d::UnitX();
-    Matrix23        d_direction = Matrix23::Zero();
+    Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
+    /// Derivatives of n.
+    Matrix23 d_direction = Matrix23::Zero();
     /// Normal force per derivative of the stored energy by delta [-]; one for a
     /// round pin.
-    double     force_ratio   = 1.;
+    double force_ratio = 1.;
+    /// Its gradient.
     RowVector3 d_force_ratio = RowVector3::Zero();
-    /// From the pin's centre to the pin's surface, and from the bushing's
-    /// centre to the bore, at the contact [m].
-    Eigen::Vector2d pin_point       = Eigen::Vector2d::Zero();
-    Matrix23        d_pin_point     = Matrix23::Zero();
-    Eigen::Vector2d bushing_point   = Eigen::Vector2d::Zero();
-    Matrix23        d_bushing_point = Matrix23::Zero();
+    /// From the pin's centre to the pin's surface at the contact [m].
+    Eigen::Vector2d pin_point = Eigen::Vector2d::Zero();
+    /// Derivatives of pin_point.
+    Matrix23 d_pin_point = Matrix23::Zero();
+    /// From the bushing's centre to the bore at the contact [m].
+    Eigen::Vector2d bushing_point = Eigen::Vector2d::Zero();
+    /// Derivatives of bushing_point.
+    Matrix23 d_bushing_point = Matrix23::Zero();
   };
 
   /// What to take for penetration and direction of contact in a worn joint.
@@ -48,6 +56,13 @@ namespace Tribody
     /// @cite mukras2010).
     scalar
   };
+
+  inline ChoiceNames<PenetrationMeasure>
+  choice_names(const PenetrationMeasure)
+  {
+    return {{PenetrationMeasure::deepest, "deepest penetration"},
+            {PenetrationMeasure::scalar, "scalar clearance"}};
+  }
 
   /**
    * A pin off the centre of its bore. The bore is the curve @f$ x(\theta) =
@@ -99,12 +114,14 @@ namespace Tribody
                   const double           penetration,
                   const double           alpha) const;
 
+    /// The surfaces it was made for.
     const JointClearance &
     clearance() const
     {
       return surfaces;
     }
 
+    /// R_i as manufactured [m].
     double
     pin_radius() const
     {

@@ -27,7 +27,8 @@ namespace Tribody
    * unit radii. The pin feels no moment, since all its forces point to its
    * centre.
    *
-   * @param bore, @param pin each in its own frame.
+   * @param bore the worn or unworn bore, in the bushing's frame.
+   * @param pin its surface, in the pin's frame.
    * @param pin_angle alpha, by which the pin's frame is turned
    *   counter-clockwise against the bushing's [rad].
    * @return P, one row per node of the pin, one column per node of the bore.

@@ -3,7 +3,8 @@
 #ifndef tribody_wear_coefficient_factor_h
 #define tribody_wear_coefficient_factor_h
 
-#include <memory>
+#include <tribody/base/expression.h>
+
 #include <string>
 #include <variant>
 
@@ -44,14 +45,15 @@ namespace Tribody
       /// s_0 [m], positive.
       double distance = 1.;
 
+      /// f at the distance slid before; the @p pressure does not matter.
       FactorValue
       evaluate(const double pressure, const Sliding &sliding) const;
     };
 
     /**
      * A dimensionless function f(p, v, s) of pressure [Pa], sliding speed [m/s]
-     * and the distance slid so far [m], written as an expression for deal.II's
-     * FunctionParser: "(p/1e6)^0.5", "if(v < 0.1, 1, 2)". It must be smooth in
+     * and the distance slid so far [m], written as an Expression:
+     * "(p/1e6)^0.5", "if(v < 0.1, 1, 2)". It must be smooth in
      * p, or the implicit wear steps do not converge; its derivative is a
      * central difference over 2e-5 p, good to about 1e-9 of f/p.
      */
@@ -66,14 +68,18 @@ namespace Tribody
       FactorValue
       evaluate(const double pressure, const Sliding &sliding) const;
 
-    private:
-      struct Parser;
+      /// Whether it is the number one, so that nothing is multiplied.
+      bool
+      is_one() const
+      {
+        return expression.is_one();
+      }
 
+    private:
       double
       value(const double pressure, const Sliding &sliding) const;
 
-      std::string                   path;
-      std::shared_ptr<const Parser> parser;
+      Expression<3> expression;
     };
 
     /// What a wear coefficient may be multiplied by. A new wear law is one more

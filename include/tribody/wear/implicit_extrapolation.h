@@ -33,9 +33,20 @@ namespace Tribody
                                        const Eigen::VectorXd &guess)>
         solve_stage;
       /// Functions of y of the size of one, negative at first; the first to
-      /// become zero ends the integration. And their number.
+      /// become zero ends the integration.
       std::function<Eigen::VectorXd(const Eigen::VectorXd &y)> events;
-      unsigned int                                             n_events = 0;
+      /// How many values events() returns.
+      unsigned int n_events = 0;
+    };
+
+    /// What an integration of the wear keeps from step to step.
+    struct ExtrapolationMemory
+    {
+      /// Length of the next step [cycles]; 0: none has been taken.
+      double proposal = 0.;
+      /// Slope of the line that guesses are on, one value per entry of y;
+      /// empty at first.
+      Eigen::VectorXd slope;
     };
 
     /**
@@ -91,9 +102,11 @@ namespace Tribody
       bool
       step(const double end);
 
+      /// N that has been reached [cycles]; state() belongs to it.
       double
       cycles() const;
 
+      /// y at cycles().
       const Eigen::VectorXd &
       state() const;
 
@@ -104,6 +117,15 @@ namespace Tribody
       /// The rate at the end of the last step as its last stage has it.
       const Eigen::VectorXd &
       end_rate() const;
+
+      /// What start() and step() go on from, beside their arguments.
+      const ExtrapolationMemory &
+      lasting_memory() const;
+
+      /// Go on as the integrator that @p lasting is from.
+      /// @pre start() follows.
+      void
+      restore(const ExtrapolationMemory &lasting);
 
     private:
       struct Memory;

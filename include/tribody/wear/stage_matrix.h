@@ -26,6 +26,7 @@ namespace Tribody
       void
       compute(const Eigen::MatrixXd &derivative, const double gamma);
 
+      /// The inverse of the matrix times @p right_hand_side.
       Eigen::VectorXd
       solve(const Eigen::VectorXd &right_hand_side) const;
 

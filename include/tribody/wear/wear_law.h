@@ -24,7 +24,9 @@ namespace Tribody
      */
     struct WearLaw
     {
-      ArchardLaw                     archard;
+      /// The constant part k.
+      ArchardLaw archard;
+      /// All f_m; their order does not matter.
       std::vector<CoefficientFactor> factors;
 
       /// Whether the coefficient depends on nothing.

@@ -70,6 +70,7 @@ namespace Tribody
       double
       lost_area() const;
 
+      /// Largest depth of all nodes [m].
       double
       max_depth() const;
 

@@ -223,7 +223,7 @@ namespace Tribody
             wrapped(angle - angle_of(entry.bodies.second, q, k));
           result.contact_angle_pin(s) =
             wrapped(angle - angle_of(entry.bodies.first, q, k));
-          if (entry.model == JointModel::flying)
+          if (entry.model == JointModel::impact)
             result.state[s] = ContactState::free;
         }
     }
@@ -235,7 +235,7 @@ namespace Tribody
     {
       const Mechanism  &mechanism = equations.mechanism();
       const JointEntry &entry     = mechanism.joints()[joint];
-      if (entry.has_clearance)
+      if (entry.has_contact_law())
         return entry.index;
       unsigned int k = 0;
       while (mechanism.impact_joints()[k].joint != joint)
@@ -272,7 +272,7 @@ namespace Tribody
     {
       const unsigned int index = event_index(joint);
       const bool         is_in_contact_at_end =
-        equations.mechanism().joints()[joint].has_clearance
+        equations.mechanism().joints()[joint].has_contact_law()
                   ? contacts[index][2 * n_samples].penetration > 0
                   : forces.col(2 * n_samples).segment<2>(2 * joint).norm() > 0;
       const double interval = period / n_samples;
@@ -339,8 +339,8 @@ namespace Tribody
       JointDutyCycle        joint;
       joint.name             = entry.name;
       joint.is_revolute      = entry.is_revolute;
-      joint.has_clearance    = entry.has_clearance;
-      joint.has_contact_law  = entry.has_clearance;
+      joint.has_gap          = entry.has_gap();
+      joint.has_contact_law  = entry.has_contact_law();
       joint.residual_ringing = compute_ringing(j);
       for (Eigen::VectorXd *values : {&joint.force_x,
                                       &joint.force_y,
@@ -368,16 +368,15 @@ namespace Tribody
       joint.state.assign(n_samples, ContactState::following);
       if (entry.is_revolute)
         fill_sliding(j, joint);
-      if (entry.has_clearance)
+      if (entry.has_contact_law())
         {
           fill_contact(j, joint);
           fill_events(j, events, joint);
         }
       else if (entry.link != nullptr)
         {
-          joint.has_clearance = true;
           fill_rigid_clearance(j, joint);
-          if (entry.model == JointModel::flying)
+          if (entry.model == JointModel::impact)
             fill_events(j, events, joint);
         }
       else if (entry.is_revolute)

@@ -26,7 +26,7 @@ namespace Tribody
         if (parameters.cycle_duration > 0)
           return parameters.cycle_duration;
         // Equilibrium knows time only by what the drivers prescribe.
-        if (parameters.analysis == "static equilibrium" &&
+        if (parameters.analysis == Analysis::static_equilibrium &&
             !mechanism.has_turning_driver())
           return 1.;
         return mechanism.period();
@@ -52,7 +52,8 @@ namespace Tribody
           closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
       check_analysis();
-      if (!is_kinematic() && parameters.analysis != "static equilibrium")
+      if (!is_kinematic() &&
+          parameters.analysis != Analysis::static_equilibrium)
         check_masses(equations, q);
       if (closed_mechanism.n_degrees_of_freedom() == 0)
         check_full_cycle(closed_equations,
@@ -76,7 +77,7 @@ namespace Tribody
     bool
     CycleSimulation::is_kinematic() const
     {
-      return parameters.analysis == "kinematic";
+      return parameters.analysis == Analysis::kinematic;
     }
 
 
@@ -84,14 +85,14 @@ namespace Tribody
     void
     CycleSimulation::check_analysis() const
     {
-      if (!is_kinematic() && parameters.analysis != "inverse dynamics")
+      if (!is_kinematic() && parameters.analysis != Analysis::inverse_dynamics)
         return;
-      const std::string needs = "'" + parameters.analysis +
+      const std::string needs = "'" + name_of(parameters.analysis) +
                                 "' needs a mechanism whose motion is given by "
                                 "joints and drivers, but ";
       const int n = mechanism.n_degrees_of_freedom();
       for (const JointEntry &joint : mechanism.joints())
-        AssertThrow(joint.is_ideal(),
+        AssertThrow(!joint.has_gap(),
                     ExcParameter("Dynamics/Analysis",
                                  needs + "joint '" + joint.name +
                                    "' has clearance. Write 'set Model = ideal' "
@@ -113,13 +114,13 @@ namespace Tribody
       const EquationsOfMotion equations(mechanism,
                                         collect_clearances(clearances),
                                         collect_supports(supports));
-      if (parameters.analysis == "static equilibrium")
+      if (parameters.analysis == Analysis::static_equilibrium)
         return run_statics(equations);
       // A joint with clearance that adds to a mechanism without degrees of
       // freedom is redundant, which the constructor has seen.
       const bool moves_as_given = mechanism.n_degrees_of_freedom() == 0 &&
                                   mechanism.has_only_ideal_joints();
-      return moves_as_given && parameters.analysis != "dynamic"
+      return moves_as_given && parameters.analysis != Analysis::dynamic
                ? run_kinematics(equations)
                : run_dynamics(equations, reference_scales(supports));
     }
@@ -217,7 +218,7 @@ namespace Tribody
       };
       EnergyAccount account(equations);
       const bool    keeps_account =
-        parameters.energy_balance == "always" && !is_kinematic();
+        parameters.energy_balance == EnergyBalance::always && !is_kinematic();
       if (keeps_account)
         recorder.set_energy_account(&account);
       for (unsigned int k = 0; k <= 2 * n; ++k)
@@ -287,7 +288,7 @@ namespace Tribody
     {
       StartingState start =
         compute_centred_start(equations, closed_equations, 0.);
-      if (parameters.start == "static equilibrium")
+      if (parameters.start == MotionStart::static_equilibrium)
         {
           const StaticEquilibrium equilibrium =
             solve_static_equilibrium(equations, 0., start.state.q);
@@ -299,7 +300,8 @@ namespace Tribody
             compute_initial_velocities(equations, 0., start.state.q);
           return start;
         }
-      if (parameters.start == "centred" || mechanism.has_only_ideal_joints())
+      if (parameters.start == MotionStart::centred ||
+          mechanism.has_only_ideal_joints())
         return start;
       if (closed_mechanism.n_degrees_of_freedom() != 0)
         {
@@ -433,7 +435,8 @@ namespace Tribody
 
       CycleRecorder recorder(equations, parameters.samples_per_cycle, period);
       EnergyAccount account(equations);
-      const bool    keeps_account = parameters.energy_balance == "always";
+      const bool    keeps_account =
+        parameters.energy_balance == EnergyBalance::always;
       if (keeps_account)
         {
           integrator.set_energy_account(&account);
@@ -492,7 +495,7 @@ namespace Tribody
       cycle.constraint_drift = integrator.constraint_drift();
       cycle.statistics       = integrator.statistics();
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)
-        if (mechanism.joints()[j].has_clearance)
+        if (mechanism.joints()[j].has_contact_law())
           cycle.joints[j].peak_force_since_start =
             integrator.peak_forces()[mechanism.joints()[j].index];
         else

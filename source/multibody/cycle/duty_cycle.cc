@@ -71,6 +71,17 @@ namespace Tribody
 
 
 
+    double
+    JointDutyCycle::max_approach_speed() const
+    {
+      double largest = 0.;
+      for (const ContactInterval &contact : contacts)
+        largest = std::max(largest, contact.approach_speed);
+      return largest;
+    }
+
+
+
     const JointDutyCycle &
     DutyCycle::joint(const std::string &name) const
     {
@@ -82,6 +93,18 @@ namespace Tribody
       AssertThrow(found != joints.end(),
                   dealii::ExcMessage("There is no joint '" + name + "'."));
       return *found;
+    }
+
+
+
+    Eigen::Index
+    DutyCycle::contact_law_number(const std::size_t j) const
+    {
+      return std::count_if(joints.begin(),
+                           joints.begin() + j,
+                           [](const JointDutyCycle &joint) {
+                             return joint.has_contact_law;
+                           });
     }
 
 

@@ -94,7 +94,6 @@ namespace Tribody
       Parameters::add_choice(prm,
                              "Type",
                              type,
-                             {"angle", "distance"},
                              "'angle': a motor between two bodies. "
                              "'distance': an actuator between two markers. "
                              "Entries that belong to the other type are "

@@ -23,7 +23,6 @@ namespace Tribody
       Parameters::add_choice(prm,
                              "Axes",
                              axes,
-                             {"global", "body"},
                              "Axes of 'Vector': 'global' ones, which do not "
                              "move, or those of the 'body', with which the "
                              "force turns.");

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/function_parser.h>
-#include <deal.II/base/numbers.h>
-
-#include <tribody/base/exceptions.h>
-#include <tribody/base/significant_digits.h>
 #include <tribody/multibody/elements/time_function.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
-#include <sstream>
 
 namespace Tribody
 {
   namespace Multibody
   {
-    struct TimeFunction::Parser
-    {
-      dealii::FunctionParser<1> function;
-    };
-
-
-
     namespace
     {
       // Offsets of the differences in units of the step.
@@ -111,55 +97,23 @@ namespace Tribody
 
     TimeFunction::TimeFunction(const std::string &path,
                                const std::string &expression)
-      : path(path)
-    {
-      std::istringstream number(expression);
-      if (number >> constant && (number >> std::ws).eof())
-        return;
-      const auto made = std::make_shared<Parser>();
-      // deal.II writes the parser's words to the screen and then throws.
-      std::ostringstream    words;
-      std::streambuf *const to_screen = std::cerr.rdbuf(words.rdbuf());
-      try
-        {
-          made->function.initialize("t",
-                                    expression,
-                                    {{"pi", dealii::numbers::PI}});
-          // The first evaluation builds the parser of this thread.
-          made->function.value(dealii::Point<1>());
-          std::cerr.rdbuf(to_screen);
-        }
-      catch (const std::exception &)
-        {
-          std::cerr.rdbuf(to_screen);
-          throw ExcParameter(
-            path,
-            "'" + expression +
-              "' is not an expression of the time t in seconds. Write for "
-              "example 'sin(2*pi*t)' or 'if(t < 0.1, 10*t, 1)'; known are + - "
-              "* / ^, sin, cos, tan, exp, log, sqrt, abs, min, max, if and "
-              "the constant pi");
-        }
-      parser = made;
-    }
-
-
-
-    double
-    TimeFunction::evaluate(const double t) const
-    {
-      return parser ? parser->function.value(dealii::Point<1>(t)) : constant;
-    }
+      : expression(path,
+                   expression,
+                   {{{"t"}},
+                    {{"s"}},
+                    "the time t in seconds",
+                    "'sin(2*pi*t)' or 'if(t < 0.1, 10*t, 1)'"})
+    {}
 
 
 
     double
     TimeFunction::value(const double t) const
     {
-      const double result = evaluate(t);
-      AssertThrow(std::isfinite(result),
-                  ExcRun(path + " is not a finite number at the time " +
-                         significant_digits(t, 6) + " s"));
+      const dealii::Point<1> place(t);
+      const double           result = expression.value(place);
+      if (!std::isfinite(result))
+        throw expression.error_at(place, "is not a finite number");
       return result;
     }
 
@@ -168,8 +122,11 @@ namespace Tribody
     std::array<double, 2>
     TimeFunction::derivatives(const double t) const
     {
-      if (!parser)
+      if (expression.is_constant())
         return {{0., 0.}};
+      const auto evaluate = [this](const double at) {
+        return expression.value(dealii::Point<1>(at));
+      };
       // Eighth-order differences at (w h)^8 = 1e-12 * 560 have an error of
       // 2e-13 F w^2 and lose about as much to rounding. The second derivative
       // decides because it sees the value at t itself: a narrow pulse between
@@ -200,9 +157,8 @@ namespace Tribody
                 10 * agreement * largest)
             break;
         }
-      AssertThrow(std::isfinite(best.second),
-                  ExcRun(path + " has no derivative at the time " +
-                         significant_digits(t, 6) + " s"));
+      if (!std::isfinite(best.second))
+        throw expression.error_at(dealii::Point<1>(t), "has no derivative");
       return {{best.first, best.second}};
     }
   } // namespace Multibody

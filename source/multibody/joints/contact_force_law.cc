@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <tribody/base/exceptions.h>
 #include <tribody/base/material.h>
 #include <tribody/multibody/joints/contact_force_law.h>
 #include <tribody/multibody/joints/joint_parameters.h>
@@ -12,19 +11,19 @@ namespace Tribody
 {
   namespace Multibody
   {
-    NormalForce
-    HertzLaw::normal_force(const ContactKinematics &contact) const
-    {
-      if (contact.penetration <= 0)
-        return {};
-      const double slope = stiffness * std::sqrt(contact.penetration);
-      return {slope * contact.penetration, 1.5 * slope, 0.};
-    }
-
-
-
     namespace
     {
+      double
+      hertz_stiffness(const JointParameters &joint)
+      {
+        return compute_hertz_stiffness(joint.pin_radius,
+                                       joint.bushing_radius,
+                                       joint.pin_material,
+                                       joint.bushing_material);
+      }
+
+
+
       // An elastic force with its slope, times the factor 1 + d delta'/delta'-.
       // Surfaces that separate faster than the law allows lose contact: they do
       // not attract each other.
@@ -81,6 +80,33 @@ namespace Tribody
 
 
 
+    HertzLaw
+    HertzLaw::make(const JointParameters &joint)
+    {
+      return {hertz_stiffness(joint)};
+    }
+
+
+
+    NormalForce
+    HertzLaw::normal_force(const ContactKinematics &contact) const
+    {
+      if (contact.penetration <= 0)
+        return {};
+      const double slope = stiffness * std::sqrt(contact.penetration);
+      return {slope * contact.penetration, 1.5 * slope, 0.};
+    }
+
+
+
+    LankaraniNikraveshLaw
+    LankaraniNikraveshLaw::make(const JointParameters &joint)
+    {
+      return {hertz_stiffness(joint), joint.restitution_coefficient};
+    }
+
+
+
     NormalForce
     LankaraniNikraveshLaw::normal_force(const ContactKinematics &contact) const
     {
@@ -91,12 +117,28 @@ namespace Tribody
 
 
 
+    HuntCrossleyLaw
+    HuntCrossleyLaw::make(const JointParameters &joint)
+    {
+      return {hertz_stiffness(joint), joint.restitution_coefficient};
+    }
+
+
+
     NormalForce
     HuntCrossleyLaw::normal_force(const ContactKinematics &contact) const
     {
       return hertz_with_hysteresis(stiffness,
                                    1.5 * (1 - restitution_coefficient),
                                    contact);
+    }
+
+
+
+    FloresLaw
+    FloresLaw::make(const JointParameters &joint)
+    {
+      return {hertz_stiffness(joint), joint.restitution_coefficient};
     }
 
 
@@ -112,6 +154,14 @@ namespace Tribody
 
 
 
+    SpringDamperLaw
+    SpringDamperLaw::make(const JointParameters &joint)
+    {
+      return {joint.contact_stiffness, joint.contact_damping};
+    }
+
+
+
     NormalForce
     SpringDamperLaw::normal_force(const ContactKinematics &contact) const
     {
@@ -120,6 +170,21 @@ namespace Tribody
       if (contact.penetration < 0 || force <= 0)
         return {};
       return {force, stiffness, damping};
+    }
+
+
+
+    ElasticFoundationLaw
+    ElasticFoundationLaw::make(const JointParameters &joint)
+    {
+      const double modulus = joint.foundation_modulus > 0
+                               ? joint.foundation_modulus
+                               : compute_layer_modulus(joint.bushing_material);
+      return {joint.clearance(),
+              joint.bushing_radius,
+              joint.foundation_length,
+              modulus / joint.foundation_thickness,
+              joint.restitution_coefficient};
     }
 
 
@@ -152,6 +217,14 @@ namespace Tribody
 
 
 
+    FiniteElementLaw
+    FiniteElementLaw::make(const JointParameters &joint)
+    {
+      return {joint.restitution_coefficient};
+    }
+
+
+
     NormalForce
     FiniteElementLaw::normal_force(const ContactKinematics &contact) const
     {
@@ -175,61 +248,6 @@ namespace Tribody
                              hysteresis(restitution_coefficient),
                              contact)
         .value;
-    }
-
-
-
-    std::vector<std::string>
-    contact_force_law_names()
-    {
-      return {"Hertz",
-              "Lankarani-Nikravesh",
-              "Hunt-Crossley",
-              "Flores",
-              "spring-damper",
-              "elastic foundation",
-              "finite element"};
-    }
-
-
-
-    ContactForceLaw
-    make_contact_force_law(const JointParameters &joint)
-    {
-      const double stiffness = compute_hertz_stiffness(joint.pin_radius,
-                                                       joint.bushing_radius,
-                                                       joint.pin_material,
-                                                       joint.bushing_material);
-      const double e_r       = joint.restitution_coefficient;
-      if (joint.contact_force_law == "Hertz")
-        return HertzLaw{stiffness};
-      if (joint.contact_force_law == "Lankarani-Nikravesh")
-        return LankaraniNikraveshLaw{stiffness, e_r};
-      if (joint.contact_force_law == "Hunt-Crossley")
-        return HuntCrossleyLaw{stiffness, e_r};
-      if (joint.contact_force_law == "Flores")
-        return FloresLaw{stiffness, e_r};
-      if (joint.contact_force_law == "spring-damper")
-        return SpringDamperLaw{joint.contact_stiffness, joint.contact_damping};
-      if (joint.contact_force_law == "elastic foundation")
-        {
-          const double modulus =
-            joint.foundation_modulus > 0
-              ? joint.foundation_modulus
-              : compute_layer_modulus(joint.bushing_material);
-          return ElasticFoundationLaw{joint.bushing_radius - joint.pin_radius,
-                                      joint.bushing_radius,
-                                      joint.foundation_length,
-                                      modulus / joint.foundation_thickness,
-                                      e_r};
-        }
-      if (joint.contact_force_law == "finite element")
-        return FiniteElementLaw{e_r};
-      AssertThrow(false,
-                  ExcParameter("Joint " + joint.name + "/Contact force law",
-                               "'" + joint.contact_force_law +
-                                 "' is not known"));
-      return HertzLaw{stiffness};
     }
 
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <tribody/base/exceptions.h>
 #include <tribody/multibody/joints/friction_law.h>
 #include <tribody/multibody/joints/joint_parameters.h>
 
@@ -15,6 +14,24 @@ namespace Tribody
     namespace
     {
       constexpr double infinity = std::numeric_limits<double>::infinity();
+
+
+
+      StribeckCurve
+      stribeck_curve(const JointParameters &joint)
+      {
+        return {joint.friction_coefficient,
+                joint.static_friction_coefficient,
+                joint.stribeck_speed};
+      }
+    } // namespace
+
+
+
+    NoFriction
+    NoFriction::make(const JointParameters & /*joint*/)
+    {
+      return {};
     }
 
 
@@ -35,6 +52,14 @@ namespace Tribody
 
 
 
+    RegularisedCoulombFriction
+    RegularisedCoulombFriction::make(const JointParameters &joint)
+    {
+      return {joint.friction_coefficient, joint.friction_regularisation_speed};
+    }
+
+
+
     FrictionRatio
     RegularisedCoulombFriction::ratio(const double sliding_speed) const
     {
@@ -50,6 +75,16 @@ namespace Tribody
     RegularisedCoulombFriction::transition_speed() const
     {
       return coefficient > 0 ? regularisation_speed : infinity;
+    }
+
+
+
+    AmbrosioFriction
+    AmbrosioFriction::make(const JointParameters &joint)
+    {
+      return {joint.friction_coefficient,
+              joint.friction_lower_speed,
+              joint.friction_upper_speed};
     }
 
 
@@ -98,6 +133,16 @@ namespace Tribody
 
 
 
+    StribeckFriction
+    StribeckFriction::make(const JointParameters &joint)
+    {
+      return {stribeck_curve(joint),
+              joint.friction_regularisation_speed,
+              joint.viscous_friction};
+    }
+
+
+
     FrictionRatio
     StribeckFriction::ratio(const double sliding_speed) const
     {
@@ -115,6 +160,17 @@ namespace Tribody
     StribeckFriction::transition_speed() const
     {
       return curve.static_coefficient > 0 ? regularisation_speed : infinity;
+    }
+
+
+
+    LuGreFriction
+    LuGreFriction::make(const JointParameters &joint)
+    {
+      return {stribeck_curve(joint),
+              joint.bristle_stiffness,
+              joint.bristle_damping,
+              joint.viscous_friction};
     }
 
 
@@ -161,46 +217,6 @@ namespace Tribody
     {
       // Friction follows the displacement; the speed acts through the damping.
       return curve.static_coefficient / (bristle_damping + viscous_coefficient);
-    }
-
-
-
-    std::vector<std::string>
-    friction_law_names()
-    {
-      return {"none", "Coulomb regularised", "Ambrosio", "Stribeck", "LuGre"};
-    }
-
-
-
-    FrictionLaw
-    make_friction_law(const JointParameters &joint)
-    {
-      const StribeckCurve curve{joint.friction_coefficient,
-                                joint.static_friction_coefficient,
-                                joint.stribeck_speed};
-      if (joint.friction_law == "none")
-        return NoFriction{};
-      if (joint.friction_law == "Coulomb regularised")
-        return RegularisedCoulombFriction{joint.friction_coefficient,
-                                          joint.friction_regularisation_speed};
-      if (joint.friction_law == "Ambrosio")
-        return AmbrosioFriction{joint.friction_coefficient,
-                                joint.friction_lower_speed,
-                                joint.friction_upper_speed};
-      if (joint.friction_law == "Stribeck")
-        return StribeckFriction{curve,
-                                joint.friction_regularisation_speed,
-                                joint.viscous_friction};
-      if (joint.friction_law == "LuGre")
-        return LuGreFriction{curve,
-                             joint.bristle_stiffness,
-                             joint.bristle_damping,
-                             joint.viscous_friction};
-      AssertThrow(false,
-                  ExcParameter("Joint " + joint.name + "/Friction law",
-                               "'" + joint.friction_law + "' is not known"));
-      return NoFriction{};
     }
 
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/base/parameters.h>
-#include <tribody/multibody/joints/contact_force_law.h>
-#include <tribody/multibody/joints/friction_law.h>
 #include <tribody/multibody/joints/joint_parameters.h>
 
 namespace Tribody
@@ -30,7 +28,6 @@ namespace Tribody
           prm,
           "Model",
           p.model,
-          {"ideal", "clearance", "massless link", "impact"},
           "Revolute joint: 'ideal' keeps the two centres together; with "
           "'clearance' the pin moves freely in the bushing until it touches "
           "it, and contact and friction forces act then. The others are rigid "
@@ -70,7 +67,6 @@ namespace Tribody
           prm,
           "Contact force law",
           p.contact_force_law,
-          contact_force_law_names(),
           "Normal force in contact; delta is the penetration, delta'_minus the "
           "approach speed at which the contact began. 'Hertz': F_N = K "
           "delta^1.5. 'Lankarani-Nikravesh', 'Hunt-Crossley' and 'Flores': the "
@@ -89,7 +85,6 @@ namespace Tribody
           prm,
           "Worn contact geometry",
           p.worn_contact_geometry,
-          {"deepest penetration", "scalar clearance"},
           "What delta and the direction of contact are in a worn joint. "
           "'deepest penetration': the deepest overlap of the pin with the worn "
           "bore and the normal there. 'scalar clearance': the clearance c in "
@@ -170,7 +165,6 @@ namespace Tribody
           prm,
           "Friction law",
           p.friction_law,
-          friction_law_names(),
           "Friction F_mu against the sliding v_t of the two surfaces at the "
           "contact. 'Coulomb regularised': mu F_N tanh(v_t/v_0). 'Ambrosio': "
           "none below the lower speed, mu F_N above the upper one, linear in "
@@ -295,18 +289,16 @@ namespace Tribody
     void
     JointParameters::add_parameters(dealii::ParameterHandler &prm)
     {
-      Parameters::add_choice(
-        prm,
-        "Type",
-        type,
-        {"revolute", "translational", "rigid", "point on line"},
-        "'revolute': a pin turns in a bushing. "
-        "'translational': a body slides along an axis of "
-        "another one without turning. 'rigid': two bodies "
-        "are welded together. 'point on line': a point of "
-        "a body slides along an axis of another one, and "
-        "both may turn. Entries that belong to other "
-        "types are ignored.");
+      Parameters::add_choice(prm,
+                             "Type",
+                             type,
+                             "'revolute': a pin turns in a bushing. "
+                             "'translational': a body slides along an axis of "
+                             "another one without turning. 'rigid': two bodies "
+                             "are welded together. 'point on line': a point of "
+                             "a body slides along an axis of another one, and "
+                             "both may turn. Entries that belong to other "
+                             "types are ignored.");
       add_markers_and_radii(prm, *this);
       add_contact(prm, *this);
       add_friction(prm, *this);

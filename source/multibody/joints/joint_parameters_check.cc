@@ -54,7 +54,7 @@ namespace Tribody
       void
       check_contact_law(const std::string &path, const JointParameters &p)
       {
-        if (p.contact_force_law == "spring-damper")
+        if (p.contact_force_law.is<SpringDamperLaw>())
           {
             constexpr double penetration = 1e-6;
             const double     slope       = 1.5 * std::sqrt(penetration) *
@@ -76,7 +76,7 @@ namespace Tribody
                                p.contact_damping,
                                "N s/m");
           }
-        if (p.contact_force_law == "elastic foundation")
+        if (p.contact_force_law.is<ElasticFoundationLaw>())
           {
             check_positive(path + "/Foundation length",
                            p.foundation_length,
@@ -105,7 +105,7 @@ namespace Tribody
                        p.friction_regularisation_speed,
                        "m/s",
                        "mm/s");
-        if (p.friction_law == "Ambrosio")
+        if (p.friction_law.is<AmbrosioFriction>())
           {
             check_not_negative(path + "/Friction lower speed",
                                p.friction_lower_speed,
@@ -119,7 +119,8 @@ namespace Tribody
                   ", not " +
                   Units::to_string(p.friction_upper_speed, "m/s", "mm/s")));
           }
-        if (p.friction_law == "Stribeck" || p.friction_law == "LuGre")
+        if (p.friction_law.is<StribeckFriction>() ||
+            p.friction_law.is<LuGreFriction>())
           {
             AssertThrow(
               p.static_friction_coefficient >= p.friction_coefficient,
@@ -136,7 +137,7 @@ namespace Tribody
                                p.viscous_friction,
                                "s/m");
           }
-        if (p.friction_law == "LuGre")
+        if (p.friction_law.is<LuGreFriction>())
           {
             AssertThrow(p.friction_coefficient > 0,
                         ExcParameter(path + "/Friction coefficient",
@@ -177,9 +178,9 @@ namespace Tribody
                        "must be at most the bushing's radius of " +
                          Units::to_string(p.bushing_radius, "m", "mm") +
                          ", not " + Units::to_string(p.pin_radius, "m", "mm")));
-        AssertThrow(p.has_clearance() || p.bushing_radius > p.pin_radius,
+        AssertThrow(p.has_contact_law() || p.clearance() > 0,
                     ExcParameter(path + "/Model",
-                                 "'" + p.model +
+                                 "'" + name_of(p.model) +
                                    "' needs a clearance: the bushing's radius "
                                    "must be larger than the pin's, " +
                                    Units::to_string(p.pin_radius, "m", "mm")));
@@ -226,9 +227,9 @@ namespace Tribody
       const std::string path = "Joint " + name;
       if (has_gap())
         check_radii(path, *this);
-      if (has_clearance())
+      if (has_contact_law())
         check_clearance_joint(path, *this);
-      else if (has_gap() && model != "massless link")
+      else if (has_gap() && model == JointModel::impact)
         check_impact_joint(path, *this);
     }
   } // namespace Multibody

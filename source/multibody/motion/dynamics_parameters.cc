@@ -16,11 +16,6 @@ namespace Tribody
         prm,
         "Analysis",
         analysis,
-        {"automatic",
-         "kinematic",
-         "inverse dynamics",
-         "dynamic",
-         "static equilibrium"},
         "'kinematic': positions, velocities and accelerations from joints and "
         "drivers alone; no forces, masses are not used. 'inverse dynamics': "
         "the "
@@ -106,7 +101,6 @@ namespace Tribody
         prm,
         "Start",
         start,
-        {"slow motion", "centred", "static equilibrium"},
         "How a mechanism with clearance joints starts. 'slow motion': with "
         "every pin touching its bushing, such that contact and friction "
         "forces balance the motion without vibration; where no such start is "
@@ -118,7 +112,6 @@ namespace Tribody
         prm,
         "Energy balance",
         energy_balance,
-        {"without wear", "always", "never"},
         "Whether to add up the work of drivers and forces and what dampers, "
         "contacts and friction take. Then the energies in energy_NNNN.csv tell "
         "where the work goes, and what is missing in the balance tells how "

@@ -58,8 +58,8 @@ namespace Tribody
                                            const MotionTolerances  &tolerances)
       : equations(equations)
       , tolerances(tolerances)
-      , present_combination(equations.mechanism().impact_joints().size(), false)
-      , present(&mode(present_combination))
+      , present(
+          &mode(Combination(equations.mechanism().impact_joints().size())))
     {}
 
 
@@ -76,11 +76,6 @@ namespace Tribody
       if (std::find(combination.begin(), combination.end(), true) !=
           combination.end())
         {
-          MechanismParameters parameters = mechanism.parameters();
-          for (unsigned int k = 0; k < combination.size(); ++k)
-            if (combination[k])
-              parameters.joints[mechanism.impact_joints()[k].joint].model =
-                "following";
           std::vector<JointClearance> clearances;
           EquationsOfMotion::Supports supports;
           for (unsigned int j = 0; j < mechanism.clearance_joints().size(); ++j)
@@ -88,7 +83,9 @@ namespace Tribody
               clearances.push_back(equations.condition(j).surfaces.clearance());
               supports.push_back(equations.condition(j).support);
             }
-          result.own_mechanism = std::make_unique<const Mechanism>(parameters);
+          result.own_mechanism =
+            std::make_unique<const Mechanism>(mechanism.parameters(),
+                                              combination);
           result.own_equations =
             std::make_unique<const EquationsOfMotion>(*result.own_mechanism,
                                                       clearances,
@@ -127,9 +124,12 @@ namespace Tribody
           equations.mechanism().n_friction_states())
         begin.friction_states =
           Eigen::VectorXd::Zero(equations.mechanism().n_friction_states());
-      present_combination = without_tension(combination, begin);
-      present             = &mode(present_combination);
-      present->integrator->start(state);
+      begin.is_following = without_tension(combination, begin);
+      // Approach speeds and friction in contacts are for the integrator to say.
+      begin.approach_speeds = state.approach_speeds;
+      begin.friction_states = state.friction_states;
+      present               = &mode(begin.is_following);
+      present->integrator->start(begin);
       present->n_events_taken = 0;
     }
 
@@ -286,7 +286,8 @@ namespace Tribody
                          ". A larger 'Capture speed' of that joint makes its "
                          "pin follow the bore sooner."));
 
-      Combination       combination = present_combination;
+      const Combination before      = state.is_following;
+      Combination       combination = before;
       std::vector<bool> has_hit(combination.size(), false);
       for (const unsigned int k : integrator.stops())
         if (combination[k])
@@ -294,7 +295,7 @@ namespace Tribody
       // One after the other: those that are captured are held in the impacts of
       // the next.
       for (const unsigned int k : integrator.stops())
-        if (!present_combination[k])
+        if (!before[k])
           {
             has_hit[k]             = true;
             const bool is_captured = collide(k, combination, state);
@@ -303,7 +304,7 @@ namespace Tribody
       combination = without_tension(combination, state);
 
       for (unsigned int k = 0; k < combination.size(); ++k)
-        if ((present_combination[k] || has_hit[k]) && !combination[k])
+        if ((before[k] || has_hit[k]) && !combination[k])
           {
             const ImpactJoint &pin = equations.mechanism().impact_joints()[k];
             const BodyPair    &bodies = pin.link->bodies;
@@ -312,7 +313,7 @@ namespace Tribody
             the_events.push_back(
               {state.time, n_contacts() + k, false, rate, 0., 0.});
           }
-      present_combination = combination;
+      state.is_following = combination;
       present->integrator->set_energy_account(nullptr);
       present = &mode(combination);
       if (energy_account != nullptr)

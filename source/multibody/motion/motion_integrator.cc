@@ -469,7 +469,8 @@ namespace Tribody
               interpolated.head(n),
               interpolated.segment(n, n),
               current.approach_speeds,
-              interpolated.tail(n_states)};
+              interpolated.tail(n_states),
+              current.is_following};
     }
 
 

@@ -233,9 +233,7 @@ namespace Tribody
       const std::vector<std::shared_ptr<const PinSupport>> &supports)
     {
       const auto &joints = mechanism.joints();
-      if (std::all_of(joints.begin(),
-                      joints.end(),
-                      [](const JointEntry &joint) { return joint.is_ideal(); }))
+      if (mechanism.has_only_ideal_joints())
         return {};
       const std::vector<IdealJoint> ideal = run_ideal_cycle(closed, period);
       const double          default_force = mechanism.masses().maxCoeff();
@@ -245,7 +243,7 @@ namespace Tribody
       for (unsigned int j = 0; j < ideal.size(); ++j)
         {
           const JointEntry &entry = joints[j];
-          if (entry.is_ideal())
+          if (!entry.has_gap())
             continue;
           ReferenceScale scale;
           scale.bodies = entry.bodies;
@@ -254,7 +252,7 @@ namespace Tribody
                            : default_force;
           const double inverse_mass =
             largest_inverse_mass(mechanism, closed, q, j);
-          if (entry.has_clearance)
+          if (entry.has_contact_law())
             add_contact_scale(mechanism.clearance_joints()[entry.index],
                               ideal[j],
                               inverse_mass,
@@ -269,7 +267,7 @@ namespace Tribody
               scale.speed          = scale.penetration * scale.frequency;
               scale.friction_state = 0.;
               scale.is_loose       = false;
-              if (entry.model == JointModel::flying)
+              if (entry.model == JointModel::impact)
                 resolve_bounces(mechanism, j, inverse_mass, scale);
             }
           scales.push_back(scale);

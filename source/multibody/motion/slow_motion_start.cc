@@ -132,7 +132,7 @@ namespace Tribody
       {
         const Mechanism &mechanism = equations.mechanism();
         for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
-          if (!mechanism.joints()[j].is_ideal())
+          if (mechanism.joints()[j].has_gap())
             {
               contact_indices.push_back(mechanism.joints()[j].index);
               links.push_back(mechanism.joints()[j].link.get());

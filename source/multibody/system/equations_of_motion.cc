@@ -450,7 +450,7 @@ namespace Tribody
     {
       std::vector<JointClearance> clearances;
       for (const ClearanceJoint &joint : mechanism.clearance_joints())
-        clearances.emplace_back(ClearanceProfile(joint.nominal_clearance()));
+        clearances.emplace_back(PeriodicProfile(joint.nominal_clearance()));
       return clearances;
     }
   } // namespace Multibody

@@ -45,10 +45,10 @@ namespace Tribody
       driver_positions(const Mechanism &mechanism, const double t)
       {
         std::string result;
-        for (unsigned int i = 0; i < mechanism.driver_motions().size(); ++i)
+        for (unsigned int i = 0; i < mechanism.drivers().size(); ++i)
           {
             const DriverParameters &driver = mechanism.parameters().drivers[i];
-            const double position = mechanism.driver_motions()[i].value(t);
+            const double position = mechanism.drivers()[i].motion.value(t);
             result +=
               (result.empty() ? "" : ", ") + driver.name + " at " +
               (driver.is_angle() ? degrees(position) : millimetres(position));
@@ -110,13 +110,11 @@ namespace Tribody
         const double       size      = mechanism.size();
         Eigen::VectorXd    weights(mechanism.n_constraints());
         constexpr double   heavy = 1e3;
-        const unsigned int n_joints =
-          mechanism.constraints().size() - mechanism.driver_motions().size();
         for (unsigned int c = 0; c < mechanism.constraints().size(); ++c)
           {
             const auto &[constraint, row] = mechanism.constraints()[c];
-            const bool is_light =
-              open == nullptr ? c < n_joints : constraint.get() == open;
+            const bool is_light = open == nullptr ? !mechanism.is_driver(c)
+                                                  : constraint.get() == open;
             for (unsigned int i = 0; i < constraint->n_equations; ++i)
               weights(row + i) =
                 (is_light ? 1. : heavy) * (constraint->is_angle(i) ? size : 1.);
@@ -213,10 +211,9 @@ namespace Tribody
               phi = shared_phi;
           }
         const Constraint &constraint = *all[worst].constraint;
-        const bool        is_driver =
-          worst >= all.size() - mechanism.driver_motions().size();
         return {constraint.description,
-                (is_driver ? "cannot be obeyed: " : "cannot be closed: ") +
+                (mechanism.is_driver(worst) ? "cannot be obeyed: "
+                                            : "cannot be closed: ") +
                   describe_gap(constraint,
                                phi.segment(all[worst].first_row,
                                            constraint.n_equations),
@@ -518,7 +515,7 @@ namespace Tribody
       const OpenConstraint worst =
         find_open_constraint(equations, t, mechanism.initial_coordinates());
       std::string hint;
-      if (!mechanism.driver_motions().empty())
+      if (!mechanism.drivers().empty())
         hint = ", and can the driven bodies be where the drivers want them (" +
                driver_positions(mechanism, t) + ")";
       throw ExcParameter(worst.description,

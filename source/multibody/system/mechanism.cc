@@ -27,13 +27,14 @@ namespace Tribody
 
 
 
-    Mechanism::Mechanism(const MechanismParameters &parameters)
+    Mechanism::Mechanism(const MechanismParameters &parameters,
+                         const std::vector<bool>   &is_following)
       : the_parameters(parameters)
     {
       parameters.check();
       add_bodies();
       for (const JointParameters &joint : parameters.joints)
-        add_joint(joint);
+        add_joint(joint, is_following);
       for (const DriverParameters &driver : parameters.drivers)
         add_driver(driver);
       for (const SpringParameters &spring : parameters.springs)
@@ -69,11 +70,23 @@ namespace Tribody
       const DriverParameters &driver = the_parameters.drivers.front();
       AssertThrow(driver.is_angle(),
                   ExcParameter("Driver " + driver.name + "/Type",
-                               "is '" + driver.type + "'" + hint));
+                               "is '" + name_of(driver.type) + "'" + hint));
       AssertThrow(driver.speed != 0,
                   ExcParameter("Driver " + driver.name + "/Speed",
                                "is zero" + hint));
       return 2 * dealii::numbers::PI / std::abs(driver.speed);
+    }
+
+
+
+    bool
+    Mechanism::is_driver(const unsigned int constraint) const
+    {
+      return std::any_of(the_drivers.begin(),
+                         the_drivers.end(),
+                         [constraint](const DriverEntry &driver) {
+                           return driver.constraint == constraint;
+                         });
     }
 
 
@@ -161,20 +174,17 @@ namespace Tribody
 
 
     void
-    Mechanism::add_joint(const JointParameters &joint)
+    Mechanism::add_joint(const JointParameters   &joint,
+                         const std::vector<bool> &is_following)
     {
-      const std::string path  = "Joint " + joint.name;
-      JointEntry        entry = {joint.name,
-                                 joint.has_clearance(),
-                                 static_cast<unsigned int>(the_constraints.size()),
-                                 joint.is_revolute(),
-                                 joint.bushing_radius,
-                                 {},
-                                 {},
-                                 {},
-                                 JointModel::ideal,
-                                 nullptr};
-      Marker            first, second;
+      const std::string path = "Joint " + joint.name;
+      JointEntry        entry;
+      entry.name        = joint.name;
+      entry.model       = joint.is_revolute() ? joint.model : JointModel::ideal;
+      entry.index       = the_constraints.size();
+      entry.is_revolute = joint.is_revolute();
+      entry.bushing_radius = joint.bushing_radius;
+      Marker first, second;
       if (joint.is_revolute())
         {
           first  = find_marker(path + "/Pin marker", joint.pin_marker);
@@ -193,21 +203,20 @@ namespace Tribody
       entry.first_position  = first.position;
       entry.second_position = second.position;
 
-      if (joint.has_clearance())
+      if (joint.has_contact_law())
         {
           entry.index = the_clearance_joints.size();
-          entry.model = JointModel::clearance;
           add_clearance_joint(joint, first, second);
         }
       else if (joint.has_gap())
-        add_rigid_clearance(joint, first, second, entry);
+        add_rigid_clearance(joint, first, second, is_following, entry);
       else if (joint.is_revolute())
         add_constraint(
           std::make_shared<RevoluteConstraint>(path, first, second));
-      else if (joint.type == "translational")
+      else if (joint.type == JointType::translational)
         add_constraint(std::make_shared<TranslationalConstraint>(
           path, first, second, joint.axis_angle, joint.relative_angle));
-      else if (joint.type == "rigid")
+      else if (joint.type == JointType::rigid)
         add_constraint(std::make_shared<RigidConstraint>(
           path, first, second, joint.relative_angle));
       else
@@ -229,50 +238,45 @@ namespace Tribody
                                       bushing.position,
                                       joint.pin_radius,
                                       joint.bushing_radius,
-                                      make_contact_force_law(joint),
-                                      make_friction_law(joint),
+                                      joint.contact_force_law.make(joint),
+                                      joint.friction_law.make(joint),
                                       joint.tangential_damping,
                                       joint.minimum_approach_speed});
       ClearanceJoint &made = the_clearance_joints.back();
       if (has_state(made.friction_law))
         made.friction_state_index = n_states++;
-      made.penetration_measure =
-        joint.worn_contact_geometry == "scalar clearance"
-          ? PenetrationMeasure::scalar
-          : PenetrationMeasure::deepest;
+      made.penetration_measure = joint.worn_contact_geometry;
     }
 
 
 
     void
-    Mechanism::add_rigid_clearance(const JointParameters &joint,
-                                   const Marker          &pin,
-                                   const Marker          &bushing,
-                                   JointEntry            &entry)
+    Mechanism::add_rigid_clearance(const JointParameters   &joint,
+                                   const Marker            &pin,
+                                   const Marker            &bushing,
+                                   const std::vector<bool> &is_following,
+                                   JointEntry              &entry)
     {
-      const auto link =
-        std::make_shared<const MasslessLinkConstraint>("Joint " + joint.name,
-                                                       pin,
-                                                       bushing,
-                                                       joint.bushing_radius -
-                                                         joint.pin_radius);
-      entry.link              = link;
-      entry.model             = joint.model == "impact" ? JointModel::flying
-                                : joint.model == "following" ? JointModel::following
-                                                             : JointModel::massless_link;
-      const bool is_following = entry.model == JointModel::following;
-      if (entry.model != JointModel::massless_link)
-        the_impact_joints.push_back(
-          {static_cast<unsigned int>(the_joints.size()),
-           link,
-           joint.pin_radius,
-           joint.bushing_radius,
-           joint.restitution_coefficient,
-           joint.friction_law == "none" ? 0. : joint.friction_coefficient,
-           joint.capture_speed,
-           is_following,
-           n_equations});
-      if (entry.model == JointModel::flying)
+      const auto link = std::make_shared<const MasslessLinkConstraint>(
+        "Joint " + joint.name, pin, bushing, joint.clearance());
+      entry.link = link;
+      if (joint.model == JointModel::impact)
+        {
+          const unsigned int number = the_impact_joints.size();
+          entry.is_flying = is_following.empty() || !is_following[number];
+          the_impact_joints.push_back(
+            {static_cast<unsigned int>(the_joints.size()),
+             link,
+             joint.pin_radius,
+             joint.bushing_radius,
+             joint.restitution_coefficient,
+             joint.friction_law.is<NoFriction>() ? 0.
+                                                 : joint.friction_coefficient,
+             joint.capture_speed,
+             !entry.is_flying,
+             n_equations});
+        }
+      if (entry.is_flying)
         entry.index = static_cast<unsigned int>(-1);
       else
         add_constraint(link);
@@ -332,15 +336,15 @@ namespace Tribody
                                   driver.time_function);
       if (driver.is_angle())
         {
-          const BodyPair bodies = {find_body(path + "/Body", driver.body),
-                                   find_body(path + "/Reference body",
+          const BodyPair     bodies = {find_body(path + "/Body", driver.body),
+                                       find_body(path + "/Reference body",
                                              driver.reference_body)};
-          the_driver_motions.push_back({driver.initial_angle,
-                                        driver.speed,
-                                        driver.angle_amplitude,
-                                        function});
-          add_constraint(std::make_shared<AngleDriver>(
-            path, bodies, the_driver_motions.back()));
+          const DriverMotion motion = {driver.initial_angle,
+                                       driver.speed,
+                                       driver.angle_amplitude,
+                                       function};
+          add_driver_constraint(
+            motion, std::make_shared<AngleDriver>(path, bodies, motion));
           return;
         }
       const Marker first =
@@ -351,12 +355,24 @@ namespace Tribody
                   ExcParameter(path,
                                "drives the distance of two markers of the same "
                                "body, which cannot change"));
-      the_driver_motions.push_back({driver.initial_distance,
-                                    driver.distance_speed,
-                                    driver.distance_amplitude,
-                                    function});
-      add_constraint(std::make_shared<DistanceDriver>(
-        path, first, second, the_driver_motions.back()));
+      const DriverMotion motion = {driver.initial_distance,
+                                   driver.distance_speed,
+                                   driver.distance_amplitude,
+                                   function};
+      add_driver_constraint(
+        motion, std::make_shared<DistanceDriver>(path, first, second, motion));
+    }
+
+
+
+    void
+    Mechanism::add_driver_constraint(
+      const DriverMotion                      &motion,
+      const std::shared_ptr<const Constraint> &constraint)
+    {
+      the_drivers.push_back(
+        {motion, static_cast<unsigned int>(the_constraints.size())});
+      add_constraint(constraint);
     }
 
 
@@ -374,7 +390,7 @@ namespace Tribody
       the_applied_forces.push_back(
         {marker,
          to_eigen(force.vector),
-         force.axes == "body",
+         force.axes == ForceAxes::body,
          TimeFunction(path + "/Time function", force.time_function)});
     }
 

@@ -51,7 +51,7 @@ namespace Tribody
     {
       MechanismParameters ideal = parameters;
       for (JointParameters &joint : ideal.joints)
-        joint.model = "ideal";
+        joint.model = JointModel::ideal;
       return ideal;
     }
   } // namespace Multibody

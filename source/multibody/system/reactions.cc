@@ -6,8 +6,6 @@
 #include <tribody/multibody/system/mechanism_state.h>
 #include <tribody/multibody/system/reactions.h>
 
-#include <algorithm>
-
 namespace Tribody
 {
   namespace Multibody
@@ -39,19 +37,6 @@ namespace Tribody
                 force(2) - arm.x() * force(1) + arm.y() * force(0)};
       }
 
-
-
-      // The drivers are the constraints that belong to no joint.
-      bool
-      is_driver(const Mechanism &mechanism, const unsigned int constraint)
-      {
-        return std::none_of(mechanism.joints().begin(),
-                            mechanism.joints().end(),
-                            [constraint](const JointEntry &joint) {
-                              return !joint.has_clearance &&
-                                     joint.index == constraint;
-                            });
-      }
     } // namespace
 
 
@@ -74,10 +59,10 @@ namespace Tribody
           const PairVector      q     = joint.bodies.gather(state.q);
           const Eigen::Vector2d arm   = turned(joint.second_position, q(5));
           PairVector            force;
-          if (joint.has_clearance)
+          if (joint.has_contact_law())
             force = mechanism.clearance_joints()[joint.index].compute_force(
               q, equations.compute_contact(joint.index, state));
-          else if (joint.model == JointModel::flying)
+          else if (joint.is_flying)
             force.setZero();
           else
             force = constraint_forces(mechanism.constraints()[joint.index],
@@ -87,22 +72,21 @@ namespace Tribody
           result.joint_points.col(j) = q.segment<2>(3) + arm;
         }
 
-      result.drivers.resize(3, mechanism.parameters().drivers.size());
-      result.driver_powers.resize(result.drivers.cols());
-      unsigned int d = 0;
-      for (unsigned int c = 0; c < mechanism.constraints().size(); ++c)
-        if (is_driver(mechanism, c))
-          {
-            const NumberedConstraint &driver = mechanism.constraints()[c];
-            const unsigned int        n      = driver.constraint->n_equations;
-            result.drivers.col(d) =
-              constraint_forces(driver, state.q, accelerations.multipliers)
-                .head<3>();
-            result.driver_powers(d) =
-              accelerations.multipliers.segment(driver.first_row, n)
-                .dot(phi_t.segment(driver.first_row, n));
-            ++d;
-          }
+      const unsigned int n_drivers = mechanism.drivers().size();
+      result.drivers.resize(3, n_drivers);
+      result.driver_powers.resize(n_drivers);
+      for (unsigned int d = 0; d < n_drivers; ++d)
+        {
+          const NumberedConstraint &driver =
+            mechanism.constraints()[mechanism.drivers()[d].constraint];
+          const unsigned int n = driver.constraint->n_equations;
+          result.drivers.col(d) =
+            constraint_forces(driver, state.q, accelerations.multipliers)
+              .head<3>();
+          result.driver_powers(d) =
+            accelerations.multipliers.segment(driver.first_row, n)
+              .dot(phi_t.segment(driver.first_row, n));
+        }
       return result;
     }
   } // namespace Multibody

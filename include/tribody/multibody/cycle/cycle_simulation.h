@@ -7,7 +7,7 @@
 #include <tribody/multibody/motion/reference_scales.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/mechanism.h>
-#include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/periodic_profile.h>
 
 #include <map>
 #include <string>

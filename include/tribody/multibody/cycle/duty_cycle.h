@@ -29,10 +29,11 @@ namespace Tribody
     struct JointDutyCycle
     {
       std::string name;
-      bool        is_revolute   = true;
-      bool        has_clearance = false;
-      /// Whether the pin presses by a contact force law, so that EnergyRecord
-      /// has entries for it; else it is rigid.
+      bool        is_revolute = true;
+      /// As JointParameters::has_gap().
+      bool has_gap = false;
+      /// As JointParameters::has_contact_law(); EnergyRecord has entries for
+      /// these joints.
       bool has_contact_law = false;
 
       /// Total force [N].
@@ -107,6 +108,10 @@ namespace Tribody
       /// Sample at which the force is largest.
       Eigen::Index
       peak_sample() const;
+
+      /// Largest approach speed of the contacts in this cycle [m/s].
+      double
+      max_approach_speed() const;
 
       /// Part of the cycle's time in @p wanted [-].
       double
@@ -198,6 +203,11 @@ namespace Tribody
       /// @throws ExcMessage if there is no joint @p name.
       const JointDutyCycle &
       joint(const std::string &name) const;
+
+      /// Place of joint @p j among those with a contact law, as in
+      /// EnergyRecord::normal_loss.
+      Eigen::Index
+      contact_law_number(const std::size_t j) const;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -3,6 +3,8 @@
 #ifndef tribody_multibody_elements_driver_parameters_h
 #define tribody_multibody_elements_driver_parameters_h
 
+#include <tribody/base/choice.h>
+
 #include <string>
 
 namespace dealii
@@ -14,6 +16,19 @@ namespace Tribody
 {
   namespace Multibody
   {
+    /// What a driver prescribes.
+    enum class DriverType
+    {
+      angle,
+      distance
+    };
+
+    inline ChoiceNames<DriverType>
+    choice_names(const DriverType)
+    {
+      return {{DriverType::angle, "angle"}, {DriverType::distance, "distance"}};
+    }
+
     /**
      * A motor that prescribes the angle of one body relative to another, or an
      * actuator that prescribes the distance of two markers: the value at time
@@ -23,8 +38,7 @@ namespace Tribody
     struct DriverParameters
     {
       std::string name;
-      /// "angle" or "distance".
-      std::string type = "angle";
+      DriverType  type = DriverType::angle;
 
       /// The body that is turned.
       std::string body;
@@ -61,7 +75,7 @@ namespace Tribody
       bool
       is_angle() const
       {
-        return type == "angle";
+        return type == DriverType::angle;
       }
     };
   } // namespace Multibody

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <tribody/base/choice.h>
+
 #include <string>
 
 namespace dealii
@@ -16,6 +18,19 @@ namespace Tribody
 {
   namespace Multibody
   {
+    /// In which axes a force is given: those that do not move, or the body's.
+    enum class ForceAxes
+    {
+      global,
+      body
+    };
+
+    inline ChoiceNames<ForceAxes>
+    choice_names(const ForceAxes)
+    {
+      return {{ForceAxes::global, "global"}, {ForceAxes::body, "body"}};
+    }
+
     /// A given force at a marker.
     struct ForceParameters
     {
@@ -24,8 +39,7 @@ namespace Tribody
       std::string marker = "ground.O";
       /// Force where the time function is 1 [N].
       dealii::Point<2> vector;
-      /// "global" or "body".
-      std::string axes = "global";
+      ForceAxes        axes = ForceAxes::global;
       /// Factor as an expression of t.
       std::string time_function = "1";
 

@@ -3,8 +3,9 @@
 #ifndef tribody_multibody_elements_time_function_h
 #define tribody_multibody_elements_time_function_h
 
+#include <tribody/base/expression.h>
+
 #include <array>
-#include <memory>
 #include <string>
 
 namespace Tribody
@@ -13,14 +14,15 @@ namespace Tribody
   {
     /**
      * A dimensionless function of the time t in seconds, written as an
-     * expression for deal.II's FunctionParser: "sin(2*pi*t)". Constants are
-     * evaluated without a parser.
+     * Expression: "sin(2*pi*t)".
      */
     class TimeFunction
     {
     public:
       /// The constant 1.
-      TimeFunction() = default;
+      TimeFunction()
+        : expression(1.)
+      {}
 
       /// @param path the parameter that holds the @p expression, for
       ///   messages. @throws ExcParameter for what cannot be parsed.
@@ -44,15 +46,7 @@ namespace Tribody
       derivatives(const double t) const;
 
     private:
-      struct Parser;
-
-      // Not finite where the expression is not.
-      double
-      evaluate(const double t) const;
-
-      std::string                   path;
-      double                        constant = 1.;
-      std::shared_ptr<const Parser> parser;
+      Expression<1> expression;
     };
   } // namespace Multibody
 } // namespace Tribody

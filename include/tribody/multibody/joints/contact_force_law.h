@@ -3,9 +3,9 @@
 #ifndef tribody_multibody_joints_contact_force_law_h
 #define tribody_multibody_joints_contact_force_law_h
 
-#include <string>
+#include <tribody/base/law_choice.h>
+
 #include <variant>
-#include <vector>
 
 namespace Tribody
 {
@@ -45,8 +45,13 @@ namespace Tribody
     /// Hertz' law without losses, @f$ F_N = K \delta^{3/2} @f$.
     struct HertzLaw
     {
+      static constexpr const char *name = "Hertz";
+
       /// K [N/m^1.5].
       double stiffness;
+
+      static HertzLaw
+      make(const JointParameters &joint);
 
       NormalForce
       normal_force(const ContactKinematics &contact) const;
@@ -61,10 +66,15 @@ namespace Tribody
      */
     struct LankaraniNikraveshLaw
     {
+      static constexpr const char *name = "Lankarani-Nikravesh";
+
       /// K [N/m^1.5].
       double stiffness;
       /// e_r [-].
       double restitution_coefficient;
+
+      static LankaraniNikraveshLaw
+      make(const JointParameters &joint);
 
       NormalForce
       normal_force(const ContactKinematics &contact) const;
@@ -79,10 +89,15 @@ namespace Tribody
      */
     struct HuntCrossleyLaw
     {
+      static constexpr const char *name = "Hunt-Crossley";
+
       /// K [N/m^1.5].
       double stiffness;
       /// e_r [-].
       double restitution_coefficient;
+
+      static HuntCrossleyLaw
+      make(const JointParameters &joint);
 
       NormalForce
       normal_force(const ContactKinematics &contact) const;
@@ -97,10 +112,15 @@ namespace Tribody
      */
     struct FloresLaw
     {
+      static constexpr const char *name = "Flores";
+
       /// K [N/m^1.5].
       double stiffness;
       /// e_r [-].
       double restitution_coefficient;
+
+      static FloresLaw
+      make(const JointParameters &joint);
 
       NormalForce
       normal_force(const ContactKinematics &contact) const;
@@ -117,10 +137,15 @@ namespace Tribody
      */
     struct SpringDamperLaw
     {
+      static constexpr const char *name = "spring-damper";
+
       /// k [N/m].
       double stiffness;
       /// b [N s/m].
       double damping;
+
+      static SpringDamperLaw
+      make(const JointParameters &joint);
 
       NormalForce
       normal_force(const ContactKinematics &contact) const;
@@ -142,6 +167,8 @@ namespace Tribody
      */
     struct ElasticFoundationLaw
     {
+      static constexpr const char *name = "elastic foundation";
+
       /// c = R_j - R_i [m].
       double clearance;
       /// R = R_j [m].
@@ -152,6 +179,9 @@ namespace Tribody
       double foundation_modulus;
       /// e_r [-]; 1: no losses.
       double restitution_coefficient;
+
+      static ElasticFoundationLaw
+      make(const JointParameters &joint);
 
       NormalForce
       normal_force(const ContactKinematics &contact) const;
@@ -172,16 +202,20 @@ namespace Tribody
      */
     struct FiniteElementLaw
     {
+      static constexpr const char *name = "finite element";
+
       /// e_r [-]; 1: no losses.
       double restitution_coefficient;
+
+      static FiniteElementLaw
+      make(const JointParameters &joint);
 
       NormalForce
       normal_force(const ContactKinematics &contact) const;
     };
 
     /**
-     * To add a law: a struct like those above, its name in
-     * contact_force_law_names(), its making in make_contact_force_law().
+     * To add a law: a struct like those above, and a place in this list.
      */
     using ContactForceLaw = std::variant<HertzLaw,
                                          LankaraniNikraveshLaw,
@@ -192,8 +226,7 @@ namespace Tribody
                                          FiniteElementLaw>;
 
     /// What can be chosen as "Contact force law".
-    std::vector<std::string>
-    contact_force_law_names();
+    using ContactForceLawChoice = LawChoice<ContactForceLaw>;
 
     /// Whether the force comes from a PinSupport.
     inline bool
@@ -201,10 +234,6 @@ namespace Tribody
     {
       return std::holds_alternative<FiniteElementLaw>(law);
     }
-
-    /// The law of a joint with clearance.
-    ContactForceLaw
-    make_contact_force_law(const JointParameters &joint);
 
     /// Normal force under @p law.
     NormalForce

@@ -3,9 +3,9 @@
 #ifndef tribody_multibody_joints_friction_law_h
 #define tribody_multibody_joints_friction_law_h
 
-#include <string>
+#include <tribody/base/law_choice.h>
+
 #include <variant>
-#include <vector>
 
 namespace Tribody
 {
@@ -38,6 +38,11 @@ namespace Tribody
     /// No friction.
     struct NoFriction
     {
+      static constexpr const char *name = "none";
+
+      static NoFriction
+      make(const JointParameters &joint);
+
       FrictionRatio
       ratio(const double sliding_speed) const;
 
@@ -50,10 +55,15 @@ namespace Tribody
     /// Coulomb's law made smooth, @f$ F_\mu = \mu F_N \tanh(v_t/v_0) @f$.
     struct RegularisedCoulombFriction
     {
+      static constexpr const char *name = "Coulomb regularised";
+
       /// mu [-].
       double coefficient;
       /// v_0 [m/s].
       double regularisation_speed;
+
+      static RegularisedCoulombFriction
+      make(const JointParameters &joint);
 
       FrictionRatio
       ratio(const double sliding_speed) const;
@@ -71,11 +81,16 @@ namespace Tribody
      */
     struct AmbrosioFriction
     {
+      static constexpr const char *name = "Ambrosio";
+
       /// mu [-].
       double coefficient;
       /// v_0 and v_1 [m/s].
       double lower_speed;
       double upper_speed;
+
+      static AmbrosioFriction
+      make(const JointParameters &joint);
 
       FrictionRatio
       ratio(const double sliding_speed) const;
@@ -110,11 +125,16 @@ namespace Tribody
      */
     struct StribeckFriction
     {
+      static constexpr const char *name = "Stribeck";
+
       StribeckCurve curve;
       /// v_0 [m/s].
       double regularisation_speed;
       /// sigma_2 [s/m].
       double viscous_coefficient;
+
+      static StribeckFriction
+      make(const JointParameters &joint);
 
       FrictionRatio
       ratio(const double sliding_speed) const;
@@ -133,11 +153,16 @@ namespace Tribody
      */
     struct LuGreFriction
     {
+      static constexpr const char *name = "LuGre";
+
       StribeckCurve curve;
       /// sigma_0 [1/m], sigma_1 [s/m], sigma_2 [s/m].
       double bristle_stiffness;
       double bristle_damping;
       double viscous_coefficient;
+
+      static LuGreFriction
+      make(const JointParameters &joint);
 
       FrictionRatio
       ratio(const double sliding_speed, const double state) const;
@@ -154,8 +179,7 @@ namespace Tribody
     };
 
     /**
-     * To add a law: a struct like those above, its name in
-     * friction_law_names(), its making in make_friction_law().
+     * To add a law: a struct like those above, and a place in this list.
      */
     using FrictionLaw = std::variant<NoFriction,
                                      RegularisedCoulombFriction,
@@ -164,12 +188,7 @@ namespace Tribody
                                      LuGreFriction>;
 
     /// What can be chosen as "Friction law".
-    std::vector<std::string>
-    friction_law_names();
-
-    /// The law of a joint with clearance.
-    FrictionLaw
-    make_friction_law(const JointParameters &joint);
+    using FrictionLawChoice = LawChoice<FrictionLaw>;
 
     /// Whether @p law remembers: has a state z.
     bool

@@ -3,7 +3,11 @@
 #ifndef tribody_multibody_joints_joint_parameters_h
 #define tribody_multibody_joints_joint_parameters_h
 
+#include <tribody/base/choice.h>
 #include <tribody/base/material.h>
+#include <tribody/multibody/joints/contact_force_law.h>
+#include <tribody/multibody/joints/friction_law.h>
+#include <tribody/surface/pin_in_bore.h>
 
 #include <string>
 
@@ -16,6 +20,45 @@ namespace Tribody
 {
   namespace Multibody
   {
+    enum class JointType
+    {
+      revolute,
+      translational,
+      rigid,
+      point_on_line
+    };
+
+    inline ChoiceNames<JointType>
+    choice_names(const JointType)
+    {
+      return {{JointType::revolute, "revolute"},
+              {JointType::translational, "translational"},
+              {JointType::rigid, "rigid"},
+              {JointType::point_on_line, "point on line"}};
+    }
+
+    /// How the pin of a revolute joint is kept in its bushing.
+    enum class JointModel
+    {
+      /// By a constraint on both coordinates.
+      ideal,
+      /// By contact forces.
+      clearance,
+      /// By a constraint on its distance from the centre.
+      massless_link,
+      /// By impacts: it flies between two of them, or follows the bore.
+      impact
+    };
+
+    inline ChoiceNames<JointModel>
+    choice_names(const JointModel)
+    {
+      return {{JointModel::ideal, "ideal"},
+              {JointModel::clearance, "clearance"},
+              {JointModel::massless_link, "massless link"},
+              {JointModel::impact, "impact"}};
+    }
+
     /**
      * A joint between two bodies: revolute (ideal, or with clearance),
      * translational, rigid, or a point on a line. Entries of other types are
@@ -24,16 +67,13 @@ namespace Tribody
     struct JointParameters
     {
       std::string name;
-      /// "revolute", "translational", "rigid" or "point on line".
-      std::string type = "revolute";
+      JointType   type = JointType::revolute;
 
       /// Centre of the pin, "<body>.<marker>".
       std::string pin_marker = "ground.O";
       /// Centre of the bushing, "<body>.<marker>".
       std::string bushing_marker = "ground.O";
-      /// "ideal", "clearance", "massless link" or "impact". IntermittentMotion
-      /// also uses "following": "impact" while the pin follows the bore.
-      std::string model = "ideal";
+      JointModel  model          = JointModel::ideal;
       /// Pin radius R_i [m].
       double pin_radius = 9.525e-3;
       /// Bushing radius R_j [m].
@@ -43,12 +83,11 @@ namespace Tribody
       /// Name of the bushing's material.
       std::string bushing_material_name = "steel";
       /// The materials themselves. Whoever reads the names fills them in.
-      Material pin_material;
-      Material bushing_material;
-      /// One of contact_force_law_names().
-      std::string contact_force_law = "Lankarani-Nikravesh";
-      /// "deepest penetration" or "scalar clearance".
-      std::string worn_contact_geometry = "deepest penetration";
+      Material              pin_material;
+      Material              bushing_material;
+      ContactForceLawChoice contact_force_law =
+        ContactForceLawChoice::of<LankaraniNikraveshLaw>();
+      PenetrationMeasure worn_contact_geometry = PenetrationMeasure::deepest;
       /// Stiffness k [N/m] and damping b [N s/m] of the spring-damper.
       double contact_stiffness = 0.;
       double contact_damping   = 0.;
@@ -63,9 +102,9 @@ namespace Tribody
       double minimum_approach_speed = 10e-3;
       /// Approach speed [m/s] below which a pin does not bounce any more
       /// (model "impact").
-      double capture_speed = 1e-3;
-      /// One of friction_law_names().
-      std::string friction_law = "Coulomb regularised";
+      double            capture_speed = 1e-3;
+      FrictionLawChoice friction_law =
+        FrictionLawChoice::of<RegularisedCoulombFriction>();
       /// Friction coefficient [-].
       double friction_coefficient = 0.15;
       /// Speed v_0 in tanh(v_t/v_0) [m/s].
@@ -107,27 +146,37 @@ namespace Tribody
       bool
       is_revolute() const
       {
-        return type == "revolute";
+        return type == JointType::revolute;
       }
 
+      /// Whether the pin is smaller than the bore and may be off its centre,
+      /// so that the radii matter to the motion.
       bool
-      has_clearance() const
+      has_gap() const
       {
-        return is_revolute() && model == "clearance";
+        return is_revolute() && model != JointModel::ideal;
+      }
+
+      /// Whether the pin presses on the bushing by a contact force law; else
+      /// both are rigid.
+      bool
+      has_contact_law() const
+      {
+        return is_revolute() && model == JointModel::clearance;
+      }
+
+      /// c = R_j - R_i [m].
+      double
+      clearance() const
+      {
+        return bushing_radius - pin_radius;
       }
 
       /// Whether the dynamics asks the elastic bushing for its contact force.
       bool
       needs_support() const
       {
-        return has_clearance() && contact_force_law == "finite element";
-      }
-
-      /// Whether the radii of pin and bushing matter to the motion.
-      bool
-      has_gap() const
-      {
-        return is_revolute() && model != "ideal";
+        return has_contact_law() && contact_force_law.is<FiniteElementLaw>();
       }
     };
   } // namespace Multibody

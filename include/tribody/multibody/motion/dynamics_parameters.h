@@ -3,6 +3,8 @@
 #ifndef tribody_multibody_motion_dynamics_parameters_h
 #define tribody_multibody_motion_dynamics_parameters_h
 
+#include <tribody/base/choice.h>
+
 #include <string>
 
 namespace dealii
@@ -14,12 +16,64 @@ namespace Tribody
 {
   namespace Multibody
   {
+    /// What is computed of a mechanism. Automatic: inverse dynamics if joints
+    /// and drivers leave no freedom, dynamic otherwise.
+    enum class Analysis
+    {
+      automatic,
+      kinematic,
+      inverse_dynamics,
+      dynamic,
+      static_equilibrium
+    };
+
+    inline ChoiceNames<Analysis>
+    choice_names(const Analysis)
+    {
+      return {{Analysis::automatic, "automatic"},
+              {Analysis::kinematic, "kinematic"},
+              {Analysis::inverse_dynamics, "inverse dynamics"},
+              {Analysis::dynamic, "dynamic"},
+              {Analysis::static_equilibrium, "static equilibrium"}};
+    }
+
+    /// How a mechanism with clearance joints starts.
+    enum class MotionStart
+    {
+      slow_motion,
+      centred,
+      static_equilibrium
+    };
+
+    inline ChoiceNames<MotionStart>
+    choice_names(const MotionStart)
+    {
+      return {{MotionStart::slow_motion, "slow motion"},
+              {MotionStart::centred, "centred"},
+              {MotionStart::static_equilibrium, "static equilibrium"}};
+    }
+
+    /// When energies are added up. What a run without wear means is up to the
+    /// caller; here it is the same as never.
+    enum class EnergyBalance
+    {
+      without_wear,
+      always,
+      never
+    };
+
+    inline ChoiceNames<EnergyBalance>
+    choice_names(const EnergyBalance)
+    {
+      return {{EnergyBalance::without_wear, "without wear"},
+              {EnergyBalance::always, "always"},
+              {EnergyBalance::never, "never"}};
+    }
+
     /// How the motion of a mechanism is integrated and recorded.
     struct DynamicsParameters
     {
-      /// "automatic", "kinematic", "inverse dynamics", "dynamic" or
-      /// "static equilibrium".
-      std::string analysis = "automatic";
+      Analysis analysis = Analysis::automatic;
       /// Time of one recorded cycle [s]; 0: one turn of the first driver.
       double cycle_duration = 0.;
       /// Local error allowed in a penetration, relative to its size [-].
@@ -37,12 +91,9 @@ namespace Tribody
       /// Cycles that are averaged if the motion does not repeat.
       unsigned int averaged_cycles = 10;
       /// Integration steps in one cycle after which the run is given up.
-      unsigned int maximum_steps_per_cycle = 1000000;
-      /// "slow motion", "centred" or "static equilibrium".
-      std::string start = "slow motion";
-      /// "without wear", "always" or "never": what a run without wear means is
-      /// up to the caller; only "always" counts here.
-      std::string energy_balance = "without wear";
+      unsigned int  maximum_steps_per_cycle = 1000000;
+      MotionStart   start                   = MotionStart::slow_motion;
+      EnergyBalance energy_balance          = EnergyBalance::without_wear;
 
       /// Declares in the current subsection, "Dynamics".
       void

@@ -43,7 +43,7 @@ namespace Tribody
                          const MotionTolerances  &tolerances);
 
       /// As MotionIntegrator::start(). Pins that touch the bore without moving
-      /// away from it, and press, follow it.
+      /// away from it, and press, follow it, whatever @p state says of that.
       void
       start(const MechanismState &state);
 
@@ -90,7 +90,8 @@ namespace Tribody
       statistics() const;
 
     private:
-      // One combination of flying (false) and following (true) pins.
+      // One combination of flying and following pins, as
+      // MechanismState::is_following.
       using Combination = std::vector<bool>;
 
       struct Mode
@@ -154,7 +155,6 @@ namespace Tribody
       const EquationsOfMotion    &equations;
       const MotionTolerances      tolerances;
       std::map<Combination, Mode> modes;
-      Combination                 present_combination;
       Mode                       *present = nullptr;
 
       EnergyAccount            *energy_account = nullptr;

@@ -27,27 +27,14 @@ namespace Tribody
       unsigned int first_row;
     };
 
-    /// How the pin of a revolute joint is kept in its bushing.
-    enum class JointModel
-    {
-      /// By a constraint on both coordinates.
-      ideal,
-      /// By contact forces.
-      clearance,
-      /// By a constraint on its distance from the centre.
-      massless_link,
-      /// By impacts: flying between two of them, or following the bore.
-      flying,
-      following
-    };
-
     /// A joint by its kind: where to look for it.
     struct JointEntry
     {
       std::string name;
-      /// Index into clearance_joints() if true, otherwise into constraints();
-      /// without meaning for a pin that flies.
-      bool         has_clearance;
+      /// Ideal for joints that are not revolute.
+      JointModel model;
+      /// Index into clearance_joints() with a contact law, otherwise into
+      /// constraints(); without meaning for a pin that flies.
       unsigned int index;
       /// Whether pin and bushing turn against each other.
       bool is_revolute;
@@ -58,17 +45,34 @@ namespace Tribody
       /// Its markers in the frames of these bodies [m].
       Eigen::Vector2d first_position  = Eigen::Vector2d::Zero();
       Eigen::Vector2d second_position = Eigen::Vector2d::Zero();
-      /// Ideal for joints that are not revolute.
-      JointModel model = JointModel::ideal;
+      /// Whether the pin has impacts and is between two of them: nothing holds
+      /// it.
+      bool is_flying = false;
       /// e and c of the models without contact forces; null for others.
       std::shared_ptr<const MasslessLinkConstraint> link = nullptr;
 
-      /// Whether pin and bushing are held together at their centres.
+      /// As JointParameters::has_gap().
       bool
-      is_ideal() const
+      has_gap() const
       {
-        return model == JointModel::ideal;
+        return model != JointModel::ideal;
       }
+
+      /// As JointParameters::has_contact_law().
+      bool
+      has_contact_law() const
+      {
+        return model == JointModel::clearance;
+      }
+    };
+
+    /// A driver: what it prescribes, and where its equation is.
+    struct DriverEntry
+    {
+      /// Of the angle [rad] or distance [m].
+      DriverMotion motion;
+      /// Index into constraints().
+      unsigned int constraint;
     };
 
     /**
@@ -80,8 +84,11 @@ namespace Tribody
     class Mechanism
     {
     public:
+      /// @param is_following as MechanismState::is_following: pins of joints
+      ///   with impacts that are held at the bore by a constraint.
       /// @throws ExcParameter for a value or a reference that cannot be used.
-      explicit Mechanism(const MechanismParameters &parameters);
+      explicit Mechanism(const MechanismParameters &parameters,
+                         const std::vector<bool>   &is_following = {});
 
       /// Entries of q and of v: three per body.
       unsigned int
@@ -138,7 +145,7 @@ namespace Tribody
       has_only_ideal_joints() const
       {
         for (const JointEntry &joint : the_joints)
-          if (!joint.is_ideal())
+          if (joint.has_gap())
             return false;
         return true;
       }
@@ -163,12 +170,16 @@ namespace Tribody
         return the_springs;
       }
 
-      /// What the drivers prescribe, in the order of the parameters.
-      const std::vector<DriverMotion> &
-      driver_motions() const
+      /// In the order of the parameters.
+      const std::vector<DriverEntry> &
+      drivers() const
       {
-        return the_driver_motions;
+        return the_drivers;
       }
+
+      /// Whether a driver gives the equation constraints()[@p constraint].
+      bool
+      is_driver(const unsigned int constraint) const;
 
       const std::vector<RotationalSpring> &
       rotational_springs() const
@@ -243,7 +254,8 @@ namespace Tribody
       add_bodies();
 
       void
-      add_joint(const JointParameters &joint);
+      add_joint(const JointParameters   &joint,
+                const std::vector<bool> &is_following);
 
       void
       add_clearance_joint(const JointParameters &joint,
@@ -252,10 +264,11 @@ namespace Tribody
 
       // With a massless link, or with impacts.
       void
-      add_rigid_clearance(const JointParameters &joint,
-                          const Marker          &pin,
-                          const Marker          &bushing,
-                          JointEntry            &entry);
+      add_rigid_clearance(const JointParameters   &joint,
+                          const Marker            &pin,
+                          const Marker            &bushing,
+                          const std::vector<bool> &is_following,
+                          JointEntry              &entry);
 
       void
       add_constraint(const std::shared_ptr<const Constraint> &constraint);
@@ -270,6 +283,11 @@ namespace Tribody
       add_driver(const DriverParameters &driver);
 
       void
+      add_driver_constraint(
+        const DriverMotion                      &motion,
+        const std::shared_ptr<const Constraint> &constraint);
+
+      void
       add_force(const ForceParameters &force);
 
       void
@@ -281,7 +299,7 @@ namespace Tribody
       std::vector<ImpactJoint>        the_impact_joints;
       std::vector<JointEntry>         the_joints;
       std::vector<Spring>             the_springs;
-      std::vector<DriverMotion>       the_driver_motions;
+      std::vector<DriverEntry>        the_drivers;
       std::vector<RotationalSpring>   the_rotational_springs;
       std::vector<AppliedForce>       the_applied_forces;
       std::vector<AppliedTorque>      the_applied_torques;

@@ -24,6 +24,9 @@ namespace Tribody
       std::vector<double> approach_speeds;
       /// States z of the friction laws that have one [m].
       Eigen::VectorXd friction_states = Eigen::VectorXd();
+      /// Whether the pin of each joint with impacts follows the bore, in the
+      /// order of Mechanism::impact_joints(), or flies; empty: all fly.
+      std::vector<bool> is_following = std::vector<bool>();
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -6,7 +6,7 @@
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <boost/math/interpolators/makima.hpp>
 
-#include <tribody/surface/clearance_profile.h>
+#include <tribody/surface/periodic_profile.h>
 
 #include <cmath>
 #include <vector>
@@ -22,7 +22,7 @@ namespace Tribody
     // Values on an equidistant grid of one turn that starts at angles(0).
     std::vector<double>
     equidistant_values(const Eigen::VectorXd &angles,
-                       const Eigen::VectorXd &clearances)
+                       const Eigen::VectorXd &values)
     {
       const int    n       = angles.size();
       const double spacing = 2. * dealii::numbers::PI / n;
@@ -31,7 +31,7 @@ namespace Tribody
         is_even =
           is_even && std::abs(angles(i) - angles(0) - i * spacing) < 1e-9;
       if (is_even)
-        return {clearances.data(), clearances.data() + n};
+        return {values.data(), values.data() + n};
 
       constexpr int       wrap = 4;
       std::vector<double> x, y;
@@ -39,21 +39,21 @@ namespace Tribody
         {
           const int turn = (i < 0) ? -1 : i / n;
           x.push_back(angles(i - turn * n) + turn * 2. * dealii::numbers::PI);
-          y.push_back(clearances(i - turn * n));
+          y.push_back(values(i - turn * n));
         }
       const boost::math::interpolators::makima<std::vector<double>> curve(
         std::move(x), std::move(y));
 
-      std::vector<double> values(4 * n);
+      std::vector<double> result(4 * n);
       for (int i = 0; i < 4 * n; ++i)
-        values[i] = curve(angles(0) + i * 2. * dealii::numbers::PI / (4 * n));
-      return values;
+        result[i] = curve(angles(0) + i * 2. * dealii::numbers::PI / (4 * n));
+      return result;
     }
   } // namespace
 
 
 
-  struct ClearanceProfile::Spline
+  struct PeriodicProfile::Spline
   {
     Spline(const std::vector<double> &values, const double origin)
       : n_nodes(values.size())
@@ -99,27 +99,28 @@ namespace Tribody
 
 
 
-  ClearanceProfile::ClearanceProfile(const double clearance)
-    : mean_clearance(clearance)
+  PeriodicProfile::PeriodicProfile(const double value)
+    : the_mean(value)
   {}
 
 
 
-  ClearanceProfile::ClearanceProfile(const Eigen::VectorXd &angles,
-                                     const Eigen::VectorXd &clearances)
+  PeriodicProfile::PeriodicProfile(const Eigen::VectorXd &angles,
+                                   const Eigen::VectorXd &values)
   {
-    Assert(angles.size() == clearances.size() && angles.size() >= 4,
+    Assert(angles.size() == values.size() && angles.size() >= 4,
            dealii::ExcMessage("A profile needs at least four points."));
-    const std::vector<double> values = equidistant_values(angles, clearances);
-    mean_clearance =
-      Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).mean();
-    spline = std::make_shared<const Spline>(values, angles(0));
+    const std::vector<double> equidistant = equidistant_values(angles, values);
+    the_mean =
+      Eigen::Map<const Eigen::VectorXd>(equidistant.data(), equidistant.size())
+        .mean();
+    spline = std::make_shared<const Spline>(equidistant, angles(0));
   }
 
 
 
   unsigned int
-  ClearanceProfile::n_nodes() const
+  PeriodicProfile::n_nodes() const
   {
     return spline ? spline->n_nodes : 0;
   }
@@ -127,18 +128,18 @@ namespace Tribody
 
 
   double
-  ClearanceProfile::clearance(const double angle) const
+  PeriodicProfile::value(const double angle) const
   {
-    return spline ? spline->curve(spline->reduced(angle)) : mean_clearance;
+    return spline ? spline->curve(spline->reduced(angle)) : the_mean;
   }
 
 
 
-  ClearanceProfile::Values
-  ClearanceProfile::evaluate(const double angle) const
+  PeriodicProfile::Values
+  PeriodicProfile::evaluate(const double angle) const
   {
     if (!spline)
-      return {mean_clearance, 0., 0.};
+      return {the_mean, 0., 0.};
     const double x = spline->reduced(angle);
     return {spline->curve(x),
             spline->curve.prime(x),

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef tribody_base_expression_h
+#define tribody_base_expression_h
+
+#include <deal.II/base/point.h>
+
+#include <tribody/base/exceptions.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace Tribody
+{
+  /// What an expression is a function of, with the words for messages.
+  template <int n_variables>
+  struct ExpressionVariables
+  {
+    /// "t", and its unit in expressions, "s".
+    std::array<std::string, n_variables> names;
+    std::array<std::string, n_variables> units;
+    /// "the time t in seconds".
+    std::string description;
+    /// "'sin(2*pi*t)' or 't^2'".
+    std::string examples;
+  };
+
+  /**
+   * A function of named variables that a user writes in a parameter file, for
+   * deal.II's FunctionParser: "sin(2*pi*t)". A number alone, however written,
+   * is known as a constant and evaluated without a parser.
+   *
+   * A plain value; copies share the parser, which never changes. Instantiated
+   * for one and three variables.
+   */
+  template <int n_variables>
+  class Expression
+  {
+  public:
+    /// The same everywhere.
+    explicit Expression(const double constant);
+
+    /// @param path the parameter that holds the @p text, for messages.
+    /// @throws ExcParameter for what cannot be parsed.
+    Expression(const std::string                      &path,
+               const std::string                      &text,
+               const ExpressionVariables<n_variables> &variables);
+
+    /// At the @p place. Not a finite number where there is none.
+    double
+    value(const dealii::Point<n_variables> &place) const;
+
+    bool
+    is_constant() const
+    {
+      return parser == nullptr;
+    }
+
+    bool
+    is_one() const
+    {
+      return is_constant() && constant == 1.;
+    }
+
+    /// To be thrown: "<parameter> <problem> at t = 0.1 s".
+    ExcRun
+    error_at(const dealii::Point<n_variables> &place,
+             const std::string                &problem) const;
+
+  private:
+    struct Parser;
+
+    std::string                      path;
+    ExpressionVariables<n_variables> variables;
+    double                           constant;
+    std::shared_ptr<const Parser>    parser;
+  };
+} // namespace Tribody
+
+#endif

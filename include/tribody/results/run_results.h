@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef tribody_results_run_results_h
+#define tribody_results_run_results_h
+
+#include <tribody/stepping/run_state.h>
+#include <tribody/stepping/wear_process.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /// How one surface of a joint has worn; angles in its own frame.
+    struct SurfaceResults
+    {
+      double max_wear_depth = 0.; ///< [m]
+      double max_wear_angle = 0.; ///< of the deepest node [rad]
+      double worn_volume    = 0.; ///< [m^3]
+      double worn_mass      = 0.; ///< [kg]
+      /// Of the volume on the mesh against what the wear law has removed [-].
+      double volume_balance_relative_error = 0.;
+      /// Estimated errors left by the wear steps: of the depth of the deepest
+      /// node [m] and of the volume [m^3].
+      double depth_error  = 0.;
+      double volume_error = 0.;
+    };
+
+    /// Wear::Crescent for the joint, where it applies.
+    struct CrescentResults
+    {
+      double normal_force;   ///< mean over the sliding distance [N]
+      double max_wear_depth; ///< [m]
+      double worn_volume;    ///< [m^3]
+    };
+
+    /// What a run says of a bushing and its pin beside JointState.
+    struct BushingResults
+    {
+      std::string name;
+      /// Its place in RunState::joints.
+      std::size_t                    number;
+      SurfaceResults                 bushing;
+      std::optional<SurfaceResults>  pin; ///< if it wears
+      std::optional<CrescentResults> crescent;
+      /// Largest, of the worn joint [m].
+      double clearance;
+      /// Amplitude of the mesh-size oscillation of the wear rate [-].
+      double mesh_oscillation;
+
+      /// The errors of depth and volume, relative to the deepest and to what
+      /// both surfaces have lost [-].
+      double
+      depth_relative_error() const;
+
+      double
+      volume_relative_error() const;
+    };
+
+    enum class RunStatus
+    {
+      completed,
+      stopped,
+      failed
+    };
+
+    /// "completed", "stopped" or "failed".
+    std::string
+    to_string(const RunStatus status);
+
+    /// What a run has come to. A plain value.
+    struct RunResults
+    {
+      RunStatus status = RunStatus::failed;
+      /// Why it did not complete; empty otherwise.
+      std::string message;
+      double      wall_time         = 0.; ///< [s]
+      double      cpu_time          = 0.; ///< [s]
+      double      peak_memory_bytes = 0.;
+
+      RunState state;
+      /// Of the bushings whose contacts are known.
+      std::vector<BushingResults> bushings;
+
+      /// The bushing of the joint @p name, or nullptr.
+      const BushingResults *
+      bushing(const std::string &name) const;
+
+      /// The largest of all bushings [-].
+      double
+      depth_relative_error() const;
+
+      double
+      volume_relative_error() const;
+    };
+
+    /// The results of @p process as it stands. Status, message and costs are
+    /// left to the caller.
+    RunResults
+    make_run_results(const WearProcess &process);
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef tribody_stepping_wear_process_h
+#define tribody_stepping_wear_process_h
+
+#include <tribody/stepping/cycle_jump.h>
+#include <tribody/stepping/run_state.h>
+#include <tribody/stepping/stop_conditions.h>
+#include <tribody/stepping/wear_parameters.h>
+
+#include <deque>
+#include <memory>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    /**
+     * The wear of all bushings of a run, or of their twins on coarser meshes,
+     * under duty cycles that are given: contact, wear per cycle, a step over
+     * many cycles, worn geometry. One round is
+     *
+     *     process.take_step(end);
+     *     process.renew_duty_cycle(...);      where the motion has changed
+     *     process.complete_step(kept_since);
+     *
+     * after renew_duty_cycle() and solve_contacts() for the first cycle. Where
+     * it stands is state(); everything else is constant, or follows from the
+     * depths in there.
+     */
+    class WearProcess
+    {
+    public:
+      /// @param bushings unworn.
+      WearProcess(const WearParameters        &parameters,
+                  std::deque<WearingBushing> &&bushings);
+
+      WearProcess(const WearProcess &) = delete;
+      WearProcess &
+      operator=(const WearProcess &) = delete;
+
+      const RunState &
+      state() const
+      {
+        return run_state;
+      }
+
+      const std::deque<WearingBushing> &
+      bushings() const
+      {
+        return joint_bushings;
+      }
+
+      /// Go on from @p state, which another process of the same parameters has
+      /// come to, or this one before.
+      /// @throws ExcRun if its geometry cannot be meshed.
+      void
+      restore(const RunState &state);
+
+      /// Wear under @p cycle from now on.
+      void
+      renew_duty_cycle(const Multibody::DutyCycle &cycle);
+
+      /// Whether a profile has changed by more than 'Dynamics update' of the
+      /// clearance since the duty cycle was renewed.
+      bool
+      duty_cycle_is_outdated() const;
+
+      /// Contact and wear per cycle in every bushing.
+      /// @throws ExcRun if a contact problem is not solved.
+      void
+      solve_contacts();
+
+      /// One step of the wear over many cycles, at most to @p end [cycles].
+      /// RunState::stopped_by says whether a stop condition was reached.
+      /// @throws ExcRun if the worn geometry cannot be meshed; the state is
+      /// then
+      ///   that before the step.
+      void
+      take_step(const double end);
+
+      /// Contacts at the end of the step, and what it has left of error.
+      /// @param kept_since when the duty cycle was renewed that the step was
+      ///   taken under; the begin of the step if it still holds [cycles].
+      void
+      complete_step(const double kept_since);
+
+      /// For the run, see RunState.
+      void
+      set_mesh_errors(const std::vector<MeshError> &errors)
+      {
+        run_state.mesh_errors = errors;
+      }
+
+      void
+      set_unstable_step_reported()
+      {
+        run_state.unstable_step_reported = true;
+      }
+
+    private:
+      /// Let the bushings have the depths of @p step.
+      void
+      shape_bushings(const WearStep &step);
+
+      void
+      count_rate_evaluations(const unsigned int n);
+
+      double                     dynamics_update;
+      std::deque<WearingBushing> joint_bushings;
+      StopConditions             stop_conditions;
+      std::unique_ptr<CycleJump> jump;
+      RunState                   run_state;
+    };
+  } // namespace Coupling
+} // namespace Tribody
+
+#endif

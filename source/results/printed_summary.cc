@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <tribody/base/units.h>
+#include <tribody/results/printed_summary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // "+0.3 %": how much @p value differs from @p reference.
+      std::string
+      difference(const double value, const double reference)
+      {
+        std::ostringstream out;
+        out << std::showpos << std::fixed << std::setprecision(2)
+            << 100. * (value / reference - 1.) << " %";
+        return out.str();
+      }
+
+
+
+      void
+      print_surface(std::ostream         &out,
+                    const char           *name,
+                    const char           *frame,
+                    const SurfaceResults &surface)
+      {
+        out << "    " << name << ": maximum depth " << std::setprecision(4)
+            << surface.max_wear_depth * 1e3 << " mm at "
+            << Units::degrees(surface.max_wear_angle) << " deg" << frame
+            << ", volume " << surface.worn_volume * 1e9 << " mm^3, mass "
+            << surface.worn_mass * 1e3 << " g" << std::endl;
+      }
+
+
+
+      void
+      print_references(std::ostream         &out,
+                       const BushingResults &results,
+                       const Comparison     &comparison)
+      {
+        const SurfaceResults &bushing = results.bushing;
+        if (results.crescent)
+          {
+            const CrescentResults &crescent = *results.crescent;
+            out << "    crescent closed form (stiff bushing, constant force "
+                << crescent.normal_force
+                << " N, the mean over the sliding distance): depth "
+                << crescent.max_wear_depth * 1e3 << " mm (result "
+                << difference(bushing.max_wear_depth, crescent.max_wear_depth)
+                << "), volume " << crescent.worn_volume * 1e9
+                << " mm^3 (result "
+                << difference(bushing.worn_volume, crescent.worn_volume) << ")"
+                << std::endl;
+          }
+        if (comparison.max_wear_depth > 0.)
+          out << "    comparison: depth " << comparison.max_wear_depth * 1e3
+              << " mm (result "
+              << difference(bushing.max_wear_depth, comparison.max_wear_depth)
+              << "), " << comparison.source << std::endl;
+        if (comparison.worn_mass > 0.)
+          out << "    comparison: mass " << comparison.worn_mass * 1e3
+              << " g (result "
+              << difference(bushing.worn_mass, comparison.worn_mass) << "), "
+              << comparison.source << std::endl;
+      }
+
+
+
+      void
+      print_mesh_error(std::ostream &out, const MeshError &mesh)
+      {
+        if (mesh.n_coarse_nodes > 0)
+          out << "    mesh: with " << mesh.n_coarse_nodes << " instead of "
+              << mesh.n_nodes
+              << " bore nodes the largest pressure of the first cycle differs "
+                 "by "
+              << 100. * mesh.max_pressure << " %, the maximum depth of "
+              << (mesh.covers_whole_run ? "the run" : "that cycle") << " by "
+              << 100. * mesh.wear_depth << " %" << std::endl;
+      }
+
+
+
+      void
+      print_bushing(std::ostream            &out,
+                    const BushingParameters &parameters,
+                    const BushingResults    &results,
+                    const RunState          &state,
+                    const unsigned int       contact_losses)
+      {
+        const CycleContact &contact = state.joints[results.number].contact;
+        print_surface(out, "bushing", "", results.bushing);
+        out << "    contact (" << name_of(parameters.pressure_model)
+            << "): largest pressure " << contact.max_pressure * 1e-6
+            << " MPa, half-angle at the largest force "
+            << Units::degrees(contact.at_peak_force().half_angle) << " deg"
+            << std::endl;
+        double balance = results.bushing.volume_balance_relative_error;
+        if (results.pin)
+          {
+            print_surface(out, "pin", " of its own frame", *results.pin);
+            balance =
+              std::max(balance, results.pin->volume_balance_relative_error);
+          }
+        print_references(out, results, parameters.comparison);
+        out << std::setprecision(2) << "    checks: volume balance " << balance
+            << ", mesh-size oscillation of the wear rate "
+            << results.mesh_oscillation
+            << ", losses of contact in the recorded cycles " << contact_losses
+            << std::endl;
+        if (results.number < state.mesh_errors.size())
+          print_mesh_error(out, state.mesh_errors[results.number]);
+      }
+
+
+
+      // A table of the joints.
+      void
+      print_joint_table(std::ostream &out, const Multibody::DutyCycle &cycle)
+      {
+        std::size_t width = 6;
+        for (const Multibody::JointDutyCycle &joint : cycle.joints)
+          width = std::max(width, joint.name.size());
+        const auto cell = [&out](const auto &value, const int columns) {
+          out << std::setw(columns) << value;
+        };
+        out << "  " << std::left << std::setw(width) << "joint" << std::right;
+        for (const char *title :
+             {"peak [N]", "at [deg]", "mean [N]", "ringing [%]"})
+          cell(title, 13);
+        out << std::endl;
+        for (const Multibody::JointDutyCycle &joint : cycle.joints)
+          {
+            out << "  " << std::left << std::setw(width) << joint.name
+                << std::right << std::setprecision(5);
+            cell(joint.peak_force(), 13);
+            cell(cycle.phase[joint.peak_sample()], 13);
+            cell(joint.mean_force(), 13);
+            out << std::setprecision(2);
+            cell(100. * joint.residual_ringing, 13);
+            out << std::endl;
+          }
+      }
+
+
+
+      // What a pin does in its bushing during the cycle.
+      void
+      print_contacts(std::ostream &out, const Multibody::JointDutyCycle &joint)
+      {
+        using Multibody::ContactState;
+        out << "  " << joint.name << ": " << std::fixed << std::setprecision(2)
+            << 100. * joint.share_of(ContactState::free)
+            << " % of the time in free flight, "
+            << 100. * joint.share_of(ContactState::impact) << " % in impacts, "
+            << 100. * joint.share_of(ContactState::following)
+            << " % following the bore" << std::defaultfloat << std::endl
+            << "    contact began " << joint.n_onsets << " and ended "
+            << joint.n_losses << " times";
+        if (joint.n_onsets > 0)
+          out << ", approach at up to " << std::setprecision(3)
+              << 1e3 * joint.max_approach_speed() << " mm/s";
+        out << std::endl;
+      }
+
+
+
+      // Of a motion that does not repeat.
+      void
+      print_averages(std::ostream &out, const Multibody::DutyCycle &cycle)
+      {
+        out << "    averages and standard deviations over "
+            << cycle.settling.n_averaged_cycles << " cycles" << std::endl;
+        for (const Multibody::JointDutyCycle &joint : cycle.joints)
+          out << "    " << joint.name << ": largest force "
+              << std::setprecision(4) << joint.mean_peak_force << " +- "
+              << std::setprecision(3) << joint.peak_force_deviation
+              << " N, mean " << std::setprecision(4) << joint.mean_force()
+              << " +- " << std::setprecision(3) << joint.mean_force_deviation
+              << " N" << std::endl;
+      }
+
+
+
+      void
+      print_energy(std::ostream &out, const Multibody::DutyCycle &cycle)
+      {
+        const Multibody::EnergyRecord &energy  = cycle.energy.cycle;
+        const Eigen::VectorXd         &kinetic = cycle.energy.kinetic;
+        // What is left over of a motion that neither takes nor gives energy.
+        const auto without_noise = [&kinetic](const double value) {
+          return std::abs(value) < 1e-10 * kinetic.maxCoeff() ? 0. : value;
+        };
+        out << std::setprecision(5) << "  energy in the recorded cycle"
+            << (cycle.settling.n_averaged_cycles > 1 ? "s" : "") << ": work "
+            << without_noise(energy.work()) << " J, dissipated "
+            << without_noise(energy.dissipated()) << " J; kinetic between "
+            << kinetic.minCoeff() << " and " << kinetic.maxCoeff() << " J"
+            << std::endl;
+        for (std::size_t j = 0; j < cycle.joints.size(); ++j)
+          if (cycle.joints[j].has_contact_law)
+            {
+              const Eigen::Index law = cycle.contact_law_number(j);
+              out << "    " << cycle.joints[j].name << ": friction "
+                  << energy.friction_loss[law] << " J, hysteresis "
+                  << energy.normal_loss[law] << " J" << std::endl;
+            }
+        if (energy.damper_loss != 0.)
+          out << "    dampers: " << energy.damper_loss << " J" << std::endl;
+        if (energy.impact_loss != 0.)
+          out << "    impacts: " << energy.impact_loss << " J" << std::endl;
+        out << std::setprecision(2) << "    balance: relative error "
+            << cycle.energy.relative_error << ", "
+            << cycle.energy.relative_error_since_start << " since the start"
+            << std::endl;
+      }
+
+
+
+      // The joints, and what the motion has cost.
+      void
+      print_dynamics(std::ostream &out, const Multibody::DutyCycle &cycle)
+      {
+        print_joint_table(out, cycle);
+        for (const Multibody::JointDutyCycle &joint : cycle.joints)
+          if (joint.has_gap)
+            print_contacts(out, joint);
+        const Multibody::SettlingReport      &settling   = cycle.settling;
+        const Sundials::IntegratorStatistics &statistics = cycle.statistics;
+        if (statistics.n_steps > 0)
+          {
+            out << "  motion: recorded in cycle ";
+            if (settling.n_averaged_cycles > 1)
+              out << settling.n_cycles - settling.n_averaged_cycles + 1
+                  << " to ";
+            out << settling.n_cycles;
+            if (settling.n_cycles > 1 && settling.n_averaged_cycles == 1)
+              out << ", forces differ from those of the cycle before by "
+                  << std::setprecision(2) << 100. * settling.repeat_difference
+                  << " %";
+            out << std::endl
+                << "    " << statistics.n_steps << " integration steps ("
+                << cycle.n_steps_in_cycle << " per recorded cycle), "
+                << statistics.n_residuals << " residual and "
+                << statistics.n_jacobians << " Jacobian evaluations, "
+                << statistics.n_restarts() << " restarts" << std::endl;
+          }
+        if (settling.n_averaged_cycles > 1)
+          print_averages(out, cycle);
+        if (cycle.energy.cycle.has_work)
+          print_energy(out, cycle);
+      }
+
+
+
+      void
+      print_joints(std::ostream         &out,
+                   const CaseParameters &parameters,
+                   const RunResults     &results)
+      {
+        const Multibody::DutyCycle &cycle = results.state.duty_cycle;
+        for (std::size_t j = 0; j < cycle.joints.size(); ++j)
+          {
+            const Multibody::JointDutyCycle &joint = cycle.joints[j];
+            out << "  " << joint.name << ": force in the cycle, largest "
+                << std::setprecision(5) << joint.peak_force() << " N, mean "
+                << joint.mean_force() << " N";
+            if (joint.has_gap && joint.sliding_distance() > 0.)
+              out << "; sliding " << joint.sliding_distance() * 1e3
+                  << " mm per cycle";
+            out << std::endl;
+            if (const BushingResults *bushing = results.bushing(joint.name))
+              print_bushing(out,
+                            parameters.bushings[bushing->number],
+                            *bushing,
+                            results.state,
+                            results.state.dynamics.contact_losses[j]);
+          }
+      }
+
+
+
+      void
+      print_warnings_and_costs(std::ostream     &out,
+                               const bool        is_dynamics_only,
+                               const RunResults &results)
+      {
+        const RunCounts      &counts   = results.state.counts;
+        const DynamicsTotals &dynamics = results.state.dynamics;
+        if (counts.wear_steps > 0)
+          out << "  estimated error by the wear steps: depth "
+              << std::setprecision(2) << 100. * results.depth_relative_error()
+              << " %, volume " << 100. * results.volume_relative_error() << " %"
+              << std::endl;
+        if (is_dynamics_only)
+          {
+            if (!dynamics.settling_message.empty())
+              out << "  WARNING: " << dynamics.settling_message << "."
+                  << std::endl;
+          }
+        else
+          {
+            if (!dynamics.all_settled)
+              out << "  WARNING: not every duty cycle settled: "
+                  << dynamics.settling_message << "." << std::endl;
+            out << "  " << counts.wear_steps << " wear steps, "
+                << counts.dynamics_cycles << " cycles of dynamics, "
+                << counts.contact_solves << " contact problems, "
+                << counts.compliance_builds << " compliance builds"
+                << std::endl;
+          }
+        out << "  wall time " << std::setprecision(3) << results.wall_time
+            << " s" << std::endl;
+      }
+    } // namespace
+
+
+
+    void
+    print_results(std::ostream         &out,
+                  const CaseParameters &parameters,
+                  const RunResults     &results)
+    {
+      const std::ios_base::fmtflags flags     = out.flags();
+      const std::streamsize         precision = out.precision();
+
+      const bool is_dynamics_only = parameters.cycles == 0;
+      out << std::endl
+          << (is_dynamics_only
+                ? "Results of the dynamics"
+                : "Results after " +
+                    std::to_string(std::lround(results.state.cycles)) +
+                    " cycles")
+          << (results.message.empty() ? ""
+                                      : " (" + to_string(results.status) +
+                                          ": " + results.message + ")")
+          << std::endl;
+      if (is_dynamics_only)
+        print_dynamics(out, results.state.duty_cycle);
+      else
+        print_joints(out, parameters, results);
+      print_warnings_and_costs(out, is_dynamics_only, results);
+
+      out.flags(flags);
+      out.precision(precision);
+    }
+  } // namespace Coupling
+} // namespace Tribody

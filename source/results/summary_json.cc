@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <nlohmann/json.hpp>
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/units.h>
+#include <tribody/base/version.h>
+#include <tribody/results/summary_json.h>
+
+#include <fstream>
+#include <limits>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // Keeps the order in which entries are added.
+      using Json = nlohmann::ordered_json;
+
+      Json
+      surface_to_json(const SurfaceResults &surface)
+      {
+        return {{"max_wear_depth_m", surface.max_wear_depth},
+                {"max_wear_angle_deg", Units::degrees(surface.max_wear_angle)},
+                {"worn_volume_m3", surface.worn_volume},
+                {"worn_mass_kg", surface.worn_mass}};
+      }
+
+
+
+      Json
+      bushing_to_json(const BushingResults    &results,
+                      const BushingParameters &parameters,
+                      const StepperState      &stepper)
+      {
+        Json json                          = surface_to_json(results.bushing);
+        json["wear_rate_mesh_oscillation"] = results.mesh_oscillation;
+        if (results.crescent)
+          json["crescent_closed_form"] = {
+            {"normal_force_N", results.crescent->normal_force},
+            {"max_wear_depth_m", results.crescent->max_wear_depth},
+            {"worn_volume_m3", results.crescent->worn_volume}};
+        if (stepper.max_stable_step > 0. &&
+            stepper.max_stable_step < std::numeric_limits<double>::max())
+          json["max_stable_wear_step_cycles"] = stepper.max_stable_step;
+        const Comparison &comparison = parameters.comparison;
+        if (!comparison.source.empty())
+          json["comparison"] = {{"source", comparison.source},
+                                {"max_wear_depth_m", comparison.max_wear_depth},
+                                {"worn_mass_kg", comparison.worn_mass}};
+        return json;
+      }
+
+
+
+      Json
+      pin_to_json(const std::optional<SurfaceResults> &pin)
+      {
+        if (!pin)
+          return surface_to_json({});
+        Json json = surface_to_json(*pin);
+        json["volume_balance_relative_error"] =
+          pin->volume_balance_relative_error;
+        const auto relative = [](const double error, const double value) {
+          return value > 0. ? error / value : 0.;
+        };
+        json["error_estimate"] = {
+          {"max_wear_depth_relative",
+           relative(pin->depth_error, pin->max_wear_depth)},
+          {"worn_volume_relative",
+           relative(pin->volume_error, pin->worn_volume)}};
+        return json;
+      }
+
+
+
+      // Forces and motion of a joint that has a clearance.
+      void
+      add_clearance_to_json(Json                            &json,
+                            const Multibody::JointDutyCycle &cycle,
+                            const double                     clearance,
+                            const unsigned int               contact_losses)
+      {
+        using Multibody::ContactState;
+        json["mean_normal_force_N"]      = cycle.mean_normal_force();
+        json["sliding_per_cycle_m"]      = cycle.sliding_distance();
+        json["clearance_m"]              = clearance;
+        json["contact_losses"]           = contact_losses;
+        json["peak_force_since_start_N"] = cycle.peak_force_since_start;
+        json["state_shares"]             = {
+                      {"free", cycle.share_of(ContactState::free)},
+                      {"impact", cycle.share_of(ContactState::impact)},
+                      {"following", cycle.share_of(ContactState::following)}};
+        json["contacts_in_cycle"] = {{"onsets", cycle.n_onsets},
+                                     {"losses", cycle.n_losses},
+                                     {"max_approach_speed_m_s",
+                                      cycle.max_approach_speed()}};
+      }
+
+
+
+      Json
+      joint_to_json(const CaseParameters &parameters,
+                    const RunResults     &results,
+                    const std::size_t     j)
+      {
+        const RunState                  &state   = results.state;
+        const Multibody::DutyCycle      &cycles  = state.duty_cycle;
+        const Multibody::JointDutyCycle &cycle   = cycles.joints[j];
+        const BushingResults            *bushing = results.bushing(cycle.name);
+
+        Json json = Json::object();
+        if (bushing != nullptr)
+          {
+            const BushingParameters &of_bushing =
+              parameters.bushings[bushing->number];
+            const CycleContact &contact = state.joints[bushing->number].contact;
+            json["bushing"] =
+              bushing_to_json(*bushing, of_bushing, state.stepper);
+            json["pin"]             = pin_to_json(bushing->pin);
+            json["pressure_model"]  = name_of(of_bushing.pressure_model);
+            json["max_pressure_Pa"] = contact.max_pressure;
+            json["contact_half_angle_deg"] =
+              Units::degrees(contact.at_peak_force().half_angle);
+            json["volume_balance_relative_error"] =
+              bushing->bushing.volume_balance_relative_error;
+          }
+        json["peak_force_N"]         = cycle.peak_force();
+        json["peak_force_phase_deg"] = cycles.phase[cycle.peak_sample()];
+        json["mean_force_N"]         = cycle.mean_force();
+        json["residual_ringing"]     = cycle.residual_ringing;
+        if (cycle.mean_peak_force > 0.)
+          {
+            json["mean_peak_force_N"]      = cycle.mean_peak_force;
+            json["peak_force_deviation_N"] = cycle.peak_force_deviation;
+            json["mean_force_deviation_N"] = cycle.mean_force_deviation;
+          }
+        if (cycle.has_gap)
+          {
+            const Multibody::JointParameters &joint =
+              parameters.joint(cycle.name);
+            add_clearance_to_json(json,
+                                  cycle,
+                                  bushing != nullptr ? bushing->clearance
+                                                     : joint.clearance(),
+                                  state.dynamics.contact_losses[j]);
+            if (cycles.energy.cycle.has_work && cycle.has_contact_law)
+              {
+                const Eigen::Index law = cycles.contact_law_number(j);
+                json["normal_loss_J"]  = cycles.energy.cycle.normal_loss[law];
+                json["friction_loss_J"] =
+                  cycles.energy.cycle.friction_loss[law];
+              }
+          }
+        return json;
+      }
+
+
+
+      // What the mesh does to the bushings, as far as it is known.
+      Json
+      mesh_errors_to_json(const RunResults &results)
+      {
+        Json json = Json::object();
+        for (const BushingResults &bushing : results.bushings)
+          if (bushing.number < results.state.mesh_errors.size())
+            {
+              const MeshError &error =
+                results.state.mesh_errors[bushing.number];
+              if (error.n_coarse_nodes > 0)
+                json[bushing.name] = {
+                  {"max_pressure_relative", error.max_pressure},
+                  {"max_wear_depth_relative", error.wear_depth},
+                  {"bore_nodes", error.n_nodes},
+                  {"compared_with_bore_nodes", error.n_coarse_nodes},
+                  {"depth_covers",
+                   error.covers_whole_run ? "whole run" : "first cycle"}};
+            }
+        return json;
+      }
+
+
+
+      Json
+      dynamics_to_json(const RunState &state)
+      {
+        const Multibody::DutyCycle           &cycle      = state.duty_cycle;
+        const Multibody::SettlingReport      &settling   = cycle.settling;
+        const Sundials::IntegratorStatistics &statistics = cycle.statistics;
+
+        Json json = {{"constraint_drift_m", state.dynamics.constraint_drift},
+                     {"settled", state.dynamics.all_settled},
+                     {"message", state.dynamics.settling_message},
+                     {"settling_relative_difference",
+                      settling.repeat_difference},
+                     {"settling_cycles", settling.n_cycles},
+                     {"averaged_cycles", settling.n_averaged_cycles},
+                     {"integration_steps", statistics.n_steps},
+                     {"integration_steps_in_cycle", cycle.n_steps_in_cycle},
+                     {"residual_evaluations", statistics.n_residuals},
+                     {"jacobian_evaluations", statistics.n_jacobians},
+                     {"restarts", statistics.n_restarts()}};
+        const Multibody::EnergyRecord &energy = cycle.energy.cycle;
+        if (energy.has_work)
+          {
+            json["work_in_cycle_J"]               = energy.work();
+            json["dissipated_in_cycle_J"]         = energy.dissipated();
+            json["damper_loss_in_cycle_J"]        = energy.damper_loss;
+            json["impact_loss_in_cycle_J"]        = energy.impact_loss;
+            json["energy_balance_relative_error"] = cycle.energy.relative_error;
+            json["energy_balance_relative_error_since_start"] =
+              cycle.energy.relative_error_since_start;
+          }
+        return json;
+      }
+    } // namespace
+
+
+
+    void
+    write_summary_json(const std::string    &file_name,
+                       const CaseParameters &parameters,
+                       const RunResults     &results)
+    {
+      const RunState &state = results.state;
+
+      Json json = {{"program",
+                    {{"name", "tribody"},
+                     {"version", program_version()},
+                     {"git", program_revision()},
+                     {"libraries", library_versions()}}},
+                   {"case", parameters.title},
+                   {"status", to_string(results.status)},
+                   {"message", results.message},
+                   {"cycles", state.cycles},
+                   {"wall_time_s", results.wall_time},
+                   {"cpu_time_s", results.cpu_time},
+                   {"peak_memory_bytes",
+                    static_cast<unsigned long long>(results.peak_memory_bytes)},
+                   {"counts",
+                    {{"wear_steps", state.counts.wear_steps},
+                     {"rate_evaluations", state.counts.rate_evaluations},
+                     {"dynamics_cycles", state.counts.dynamics_cycles},
+                     {"contact_solves", state.counts.contact_solves},
+                     {"compliance_builds", state.counts.compliance_builds}}},
+                   {"joints", Json::object()},
+                   {"dynamics", dynamics_to_json(state)},
+                   {"error_estimate",
+                    {{"max_wear_depth_relative",
+                      results.depth_relative_error()},
+                     {"worn_volume_relative", results.volume_relative_error()},
+                     {"covers", "wear steps"},
+                     {"mesh", mesh_errors_to_json(results)}}}};
+      for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
+        json["joints"][state.duty_cycle.joints[j].name] =
+          joint_to_json(parameters, results, j);
+
+      // Text from the parameter file may be in any encoding.
+      const std::string text =
+        json.dump(2, ' ', false, Json::error_handler_t::replace);
+      std::ofstream file(file_name);
+      file << text << std::endl;
+      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+    }
+  } // namespace Coupling
+} // namespace Tribody

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <tribody/base/exceptions.h>
+#include <tribody/stepping/make_jump.h>
+#include <tribody/stepping/wear_process.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    WearProcess::WearProcess(const WearParameters        &parameters,
+                             std::deque<WearingBushing> &&bushings)
+      : dynamics_update(parameters.dynamics_update)
+      , joint_bushings(std::move(bushings))
+      , stop_conditions(joint_bushings)
+      , jump(make_jump(parameters, joint_bushings, stop_conditions))
+    {
+      for (const WearingBushing &bushing : joint_bushings)
+        {
+          JointState joint;
+          joint.depth               = bushing.depth();
+          joint.depth_at_compliance = bushing.depth_at_compliance();
+          joint.totals.depth_error  = Eigen::VectorXd::Zero(joint.depth.size());
+          run_state.joints.push_back(joint);
+          ++run_state.counts.compliance_builds;
+        }
+    }
+
+
+
+    void
+    WearProcess::restore(const RunState &state)
+    {
+      AssertDimension(state.joints.size(), joint_bushings.size());
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        joint_bushings[j].restore(state.joints[j].depth,
+                                  state.joints[j].depth_at_compliance);
+      run_state = state;
+    }
+
+
+
+    void
+    WearProcess::renew_duty_cycle(const Multibody::DutyCycle &cycle)
+    {
+      run_state.duty_cycle         = cycle;
+      run_state.cycles_at_dynamics = run_state.cycles;
+      for (JointState &joint : run_state.joints)
+        joint.depth_at_dynamics = joint.depth;
+
+      const Multibody::SettlingReport &settling = cycle.settling;
+      run_state.counts.dynamics_cycles += settling.n_cycles;
+      DynamicsTotals &totals = run_state.dynamics;
+      if (!settling.message.empty() && totals.settling_message.empty())
+        {
+          // Without wear, the results say it right away.
+          std::ostringstream message;
+          if (!joint_bushings.empty())
+            message << "after " << run_state.cycles << " cycles: ";
+          message << settling.message;
+          totals.settling_message = message.str();
+        }
+      totals.constraint_drift =
+        std::max(totals.constraint_drift, cycle.constraint_drift);
+      totals.all_settled = totals.all_settled && settling.converged;
+      totals.contact_losses.resize(cycle.joints.size());
+      for (std::size_t j = 0; j < cycle.joints.size(); ++j)
+        totals.contact_losses[j] += cycle.joints[j].n_losses;
+    }
+
+
+
+    bool
+    WearProcess::duty_cycle_is_outdated() const
+    {
+      bool is_outdated = false;
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        {
+          const JointState &joint = run_state.joints[j];
+          const double      change =
+            (joint.depth - joint.depth_at_dynamics).lpNorm<Eigen::Infinity>();
+          is_outdated =
+            is_outdated ||
+            change > dynamics_update *
+                       joint_bushings[j].largest_clearance(joint.depth);
+        }
+      return is_outdated;
+    }
+
+
+
+    void
+    WearProcess::solve_contacts()
+    {
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        {
+          JointState &joint = run_state.joints[j];
+          joint.contact     = joint_bushings[j].compute_cycle_contact(
+            joint.depth,
+            run_state.duty_cycle.joint(joint_bushings[j].name()),
+            joint.contact.samples.empty() ? nullptr : &joint.contact,
+            joint.totals.sliding_distance);
+        }
+      count_rate_evaluations(1);
+    }
+
+
+
+    void
+    WearProcess::take_step(const double end)
+    {
+      const WearStep step = jump->advance(run_state, end);
+      shape_bushings(step);
+
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        {
+          const WearingBushing            &bushing = joint_bushings[j];
+          const Multibody::JointDutyCycle &cycle =
+            run_state.duty_cycle.joint(bushing.name());
+          const double distance =
+            (step.cycles - run_state.cycles) * cycle.sliding_distance();
+          JointTotals &totals = run_state.joints[j].totals;
+          totals.sliding_distance += distance;
+          totals.force_over_sliding += distance * cycle.mean_normal_force();
+          const std::vector<WearingSurface> surfaces = bushing.surfaces();
+          for (std::size_t i = 0; i < surfaces.size(); ++i)
+            totals.surfaces[i].removed_volume +=
+              surfaces[i].part_of(step.removed_areas[j]).sum() *
+              bushing.bushing_parameters().axial_length;
+        }
+      run_state.cycles = step.cycles;
+      if (step.reached)
+        run_state.stopped_by = stop_conditions.describe(*step.reached);
+      count_rate_evaluations(step.n_rate_evaluations);
+      ++run_state.counts.wear_steps;
+    }
+
+
+
+    void
+    WearProcess::shape_bushings(const WearStep &step)
+    {
+      try
+        {
+          for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+            joint_bushings[j].set_depth(step.depths[j]);
+        }
+      catch (const ExcRun &)
+        {
+          restore(RunState(run_state));
+          throw;
+        }
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        {
+          JointState            &joint = run_state.joints[j];
+          const Eigen::VectorXd &built =
+            joint_bushings[j].depth_at_compliance();
+          if (built != joint.depth_at_compliance)
+            ++run_state.counts.compliance_builds;
+          joint.depth               = step.depths[j];
+          joint.depth_at_compliance = built;
+        }
+    }
+
+
+
+    void
+    WearProcess::complete_step(const double kept_since)
+    {
+      solve_contacts();
+      const std::vector<StepError> errors =
+        jump->estimate_error(run_state, run_state.cycles - kept_since);
+      // Absolute values: an oscillation must not cancel in the sum.
+      for (std::size_t j = 0; j < errors.size(); ++j)
+        {
+          JointTotals &totals = run_state.joints[j].totals;
+          totals.depth_error += errors[j].depth.cwiseAbs();
+          for (std::size_t i = 0; i < errors[j].volumes.size(); ++i)
+            totals.surfaces[i].volume_error += std::abs(errors[j].volumes[i]);
+        }
+    }
+
+
+
+    void
+    WearProcess::count_rate_evaluations(const unsigned int n)
+    {
+      run_state.counts.rate_evaluations += n;
+      for (const JointState &joint : run_state.joints)
+        run_state.counts.contact_solves += n * joint.contact.samples.size();
+    }
+  } // namespace Coupling
+} // namespace Tribody
