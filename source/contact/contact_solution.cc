@@ -267,12 +267,12 @@ namespace Tribody
           solution.nodal_force = solution.pressure = solution.gap =
             Eigen::VectorXd::Zero(n);
         }
-      Eigen::VectorXd values(5 * n + 8);
+      Eigen::VectorXd values(5 * n + 9);
       values << solution.nodal_force, solution.pressure, solution.gap,
         to_flags(solution.active_set, n), solution.pin_centre, solution.force,
         solution.half_angle, solution.report.converged,
         solution.report.n_iterations, solution.report.residual,
-        to_flags(solution.next_active_set, n);
+        solution.report.stagnated, to_flags(solution.next_active_set, n);
       Ranks::broadcast(values, root, communicator);
 
       solution.nodal_force         = values.segment(0, n);
@@ -284,8 +284,9 @@ namespace Tribody
       solution.report.converged    = values[4 * n + 5] > 0.;
       solution.report.n_iterations = std::lround(values[4 * n + 6]);
       solution.report.residual     = values[4 * n + 7];
+      solution.report.stagnated    = values[4 * n + 8] > 0.;
       solution.active_set          = to_nodes(values.segment(3 * n, n));
-      solution.next_active_set     = to_nodes(values.segment(4 * n + 8, n));
+      solution.next_active_set     = to_nodes(values.segment(4 * n + 9, n));
       broadcast_rim(solution.rim, root, communicator);
     }
 

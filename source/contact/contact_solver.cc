@@ -10,8 +10,10 @@
 #include <tribody/contact/pin_gap.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -29,6 +31,15 @@ namespace Tribody
         report.converged = false;
         report.message   = message;
         return report;
+      }
+
+      std::string
+      describe_stagnation(const double residual)
+      {
+        std::ostringstream message;
+        message << "gaps or imbalance of the forces stay at " << std::scientific
+                << std::setprecision(1) << residual << ", relative";
+        return message.str();
       }
 
       /// Nodes that follow each other.
@@ -146,7 +157,9 @@ namespace Tribody
           iterate.is_warm    = true;
         }
       SolverReport report = iterate_forces(iterate);
-      if (!report.converged && solve_programme(nullptr, iterate))
+      // Where the nodes in contact are known the programme has nothing to add.
+      if (!report.converged && !report.stagnated &&
+          solve_programme(nullptr, iterate))
         {
           const unsigned int n_before = report.n_iterations;
           report                      = iterate_forces(iterate);
@@ -379,7 +392,10 @@ namespace Tribody
           else if (++n_unchanged > 3 && active_compliance.refresh())
             n_unchanged = 0;
         }
-      return failure(report, "no convergence");
+      report.stagnated = n_unchanged > 3;
+      return failure(report,
+                     report.stagnated ? describe_stagnation(report.residual)
+                                      : "no convergence");
     }
 
 
@@ -520,7 +536,10 @@ namespace Tribody
     {
       SolverReport        report;
       std::set<ActiveSet> visited;
-      unsigned int        n_unchanged = 0;
+      // Of the iterations since the nodes in contact have changed, or what is
+      // solved with: how many in a row have not halved the smallest residual.
+      unsigned int n_in_vain         = 0;
+      double       smallest_residual = std::numeric_limits<double>::max();
       if (iterate.active_set.empty())
         iterate.active_set = next_active_set(iterate);
       while (report.n_iterations < parameters.max_iterations)
@@ -547,13 +566,28 @@ namespace Tribody
               if (!visited.insert(active).second)
                 return failure(report, "the active sets repeat themselves");
               change_active_set(std::move(next), iterate);
-              n_unchanged = 0;
+              n_in_vain         = 0;
+              smallest_residual = std::numeric_limits<double>::max();
             }
-          else if (report.residual <= parameters.tolerance ||
-                   (++n_unchanged > 2 && !active_compliance.refresh()))
+          else if (report.residual <= parameters.tolerance)
             {
               report.converged = true;
               return report;
+            }
+          else if (report.residual <= 0.5 * smallest_residual)
+            {
+              n_in_vain         = 0;
+              smallest_residual = report.residual;
+            }
+          else if (++n_in_vain > 2)
+            {
+              if (!active_compliance.refresh())
+                {
+                  report.stagnated = true;
+                  return failure(report, describe_stagnation(report.residual));
+                }
+              n_in_vain         = 0;
+              smallest_residual = std::numeric_limits<double>::max();
             }
         }
       return failure(report, "no convergence");

@@ -60,6 +60,16 @@ namespace Tribody
       double
       retake_step(const double n_cycles);
 
+      /**
+       * Move the end of the step along the line from its beginning to where the
+       * largest event, which is @p value, becomes zero. Stages are solved to a
+       * small part of the tolerance only, which differs with where their
+       * iterations begin: below that no length of the step is the right one.
+       * For the little that is missing a line is as good as the step.
+       */
+      void
+      move_end_to_event(const double value);
+
       /// Throw what a callback threw, or translate a return code.
       void
       check(const int flag, const std::string &function);
@@ -156,6 +166,8 @@ namespace Tribody
 
       // What an event may be off by where it ends the integration.
       constexpr double event_tolerance = 1e-10;
+      // Steps that are taken to find it; exact ones need half as many.
+      constexpr boost::uintmax_t max_retakes = 20;
     } // namespace
 
 
@@ -351,6 +363,44 @@ namespace Tribody
 
 
 
+    void
+    ImplicitExtrapolation::Memory::move_end_to_event(const double value)
+    {
+      const Eigen::VectorXd change   = y - y_start;
+      const double          n_cycles = cycles - step_start;
+      double                event    = value;
+      const auto            move_to  = [&](const double part) {
+        y            = y_start + part * change;
+        cycles       = step_start + part * n_cycles;
+        return event = largest_event();
+      };
+      const double begin          = value < 0. ? 1. : 0.;
+      const double event_at_begin = value < 0. ? value : move_to(0.);
+      double       end            = 1.;
+      double       event_at_end   = value;
+      while (event_at_end < 0. && end < 8.)
+        event_at_end = move_to(end *= 2.);
+      AssertThrow(event_at_end >= 0.,
+                  ExcRun("The integration of wear finds no end at " +
+                         std::to_string(step_start) +
+                         " cycles: a limit that a long step passes is not "
+                         "passed in shorter ones. A smaller 'Wear/Tolerance' "
+                         "may help."));
+      boost::uintmax_t max_evaluations = 100;
+      boost::math::tools::toms748_solve(
+        move_to,
+        begin,
+        end,
+        event_at_begin,
+        event_at_end,
+        [&](const double, const double) {
+          return std::abs(event) < event_tolerance;
+        },
+        max_evaluations);
+    }
+
+
+
     bool
     ImplicitExtrapolation::step(const double end)
     {
@@ -369,17 +419,34 @@ namespace Tribody
 
       // The step itself is taken again, as long as it may be: what ARKODE
       // interpolates within a step is less accurate than its end.
-      boost::uintmax_t max_steps = 50;
+      const double     whole_step = m.cycles - m.step_start;
+      double           best       = value;
+      double           cycles     = m.cycles;
+      Eigen::VectorXd  y          = m.y;
+      boost::uintmax_t max_steps  = max_retakes;
       boost::math::tools::toms748_solve(
-        [&](const double n_cycles) { return value = m.retake_step(n_cycles); },
+        [&](const double n_cycles) {
+          value = m.retake_step(n_cycles);
+          if (std::abs(value) < std::abs(best))
+            {
+              best   = value;
+              cycles = m.cycles;
+              y      = m.y;
+            }
+          return value;
+        },
         0.,
-        m.cycles - m.step_start,
+        whole_step,
         before,
         value,
         [&](const double, const double) {
           return std::abs(value) < event_tolerance;
         },
         max_steps);
+      m.cycles = cycles;
+      m.y      = y;
+      if (std::abs(best) >= event_tolerance)
+        m.move_end_to_event(best);
       return true;
     }
 

@@ -3,9 +3,11 @@
 // The validation joint: rigid pin, R = 9.525 mm, in a ring of 9.535 mm whose
 // rim of 15.875 mm is clamped, E = 0.139 GPa, nu = 0.38, plane strain, 13.1 mm
 // long. Reference: an independent finite element solution, converged to about
-// 1e-3 (reference/bushing_contact.csv, printed below as "ref"). Peak pressure
-// and displacement must agree to 0.5 %, the half-angle to 0.5 degrees, with the
-// default mesh, linear and quadratic elements.
+// 1e-3 (reference/bushing_contact.csv, printed below as "ref"). With quadratic
+// elements peak pressure and displacement must agree to that. Linear ones leave
+// an error of their own, 0.2 % of the peak on the default mesh with nodes 2
+// degrees apart: 0.3 % is allowed. The half-angle must agree to 0.2 degrees, a
+// tenth of a node distance and 1e-3 of the angle together.
 //
 // "Ripple" is the largest second difference of the nodal pressures where they
 // exceed 0.8 of the peak, relative to the peak. A smooth pressure
@@ -16,6 +18,8 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/tria.h>
 
+#include <support/reference_table.h>
+
 #include <tribody/contact/contact_solver.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/ring_mesh.h>
@@ -23,17 +27,26 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <string>
+#include <vector>
 
 using namespace Tribody;
 
 struct Reference
 {
+  /// N, MPa, degrees, mm.
   double force, peak_pressure, half_angle, displacement;
 };
 
-// N, MPa, degrees, mm.
-const Reference references[] = {{25., 0.194354, 43.588, 0.0147961},
-                                {100., 0.603429, 62.458, 0.0248251}};
+std::vector<Reference>
+read_references()
+{
+  std::vector<Reference> references;
+  for (const auto &row : read_reference_table(std::string(SOURCE_DIR) +
+                                              "/reference/bushing_contact.csv"))
+    references.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
+  return references;
+}
 
 double
 ripple(const Contact::ContactSolution &s)
@@ -75,7 +88,7 @@ check(const unsigned int degree, const bool finer)
 
   std::cout << "degree " << degree << ", " << surface.n_nodes() << " bore nodes"
             << std::endl;
-  for (const auto &reference : references)
+  for (const auto &reference : read_references())
     {
       const auto s =
         solver.solve_force_controlled({reference.force / 13.1e-3, 0.});
@@ -85,9 +98,10 @@ check(const unsigned int degree, const bool finer)
         180. / M_PI * s.half_angle - reference.half_angle;
       const double displacement_error =
         100. * (1e3 * s.pin_centre[0] / reference.displacement - 1.);
-      const bool within = s.report.converged && std::abs(peak_error) < 0.5 &&
-                          std::abs(angle_error) < 0.5 &&
-                          std::abs(displacement_error) < 0.5;
+      const double bound = degree == 1 ? 0.3 : 0.1;
+      const bool within  = s.report.converged && std::abs(peak_error) < bound &&
+                          std::abs(angle_error) < 0.2 &&
+                          std::abs(displacement_error) < bound;
       std::cout << "  " << reference.force << " N: peak " << peak
                 << " MPa (ref " << reference.peak_pressure << "), off by "
                 << peak_error << " %; half-angle off by " << angle_error

@@ -173,9 +173,10 @@ check_directions(const double depth, const double shoulder)
         std::max(spread, std::abs(s.pressure.maxCoeff() / pressure - 1.));
     }
   std::cout << "sweep at depth " << 1e3 * depth << " mm: failed " << n_failed
-            << ", conditions and cold start " << (worst < 1e-10)
-            << ", same for all directions " << (spread < 1e-9)
-            << " (only if round)" << std::endl;
+            << ", conditions and cold start " << (worst < 1e-10);
+  if (depth == 0.)
+    std::cout << ", same for all directions " << (spread < 1e-9);
+  std::cout << std::endl;
 }
 
 /// Through a node, from starts all around, by Newton's iteration and by the

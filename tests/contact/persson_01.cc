@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A disc in the hole of an infinite plate of the same material (Persson 1964),
-// under refinement, beside values of ten digits: doc/persson.py solves
-// Persson's integral equation by Chebyshev polynomials and agrees with the
-// printed table (reference/persson.csv of the project) in all of its digits.
+// under refinement, beside values of ten digits (reference/persson.csv):
+// doc/persson.py solves Persson's integral equation by Chebyshev polynomials
+// and agrees with the printed table in all of its digits.
 //
 // Asked for: half-angle within 0.3 degrees, peak pressure and integral of the
 // pressure within 0.3 %, from 180 bore nodes on, in the seven rows of the
@@ -22,6 +22,8 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/tria.h>
 
+#include <support/reference_table.h>
+
 #include <tribody/contact/contact_solver.h>
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/elasticity/pin_elasticity.h>
@@ -31,6 +33,8 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <string>
+#include <vector>
 
 using namespace Tribody;
 using namespace Tribody::Elasticity;
@@ -47,14 +51,15 @@ struct Row
   double stiffness_ratio, half_angle, peak, integral;
 };
 
-// doc/persson.py.
-const Row rows[] = {{0., 84.8279456, 0.599628669, 1.306166930},
-                    {0.1, 80.9240328, 0.609035457, 1.277246083},
-                    {0.2, 77.5704387, 0.619059617, 1.253536848},
-                    {0.5, 69.7354447, 0.650841447, 1.202381589},
-                    {1., 60.9329010, 0.704607021, 1.152155734},
-                    {2., 50.4235810, 0.805946921, 1.102235188},
-                    {5., 36.3416430, 1.059022143, 1.051857929}};
+std::vector<Row>
+read_rows()
+{
+  std::vector<Row> rows;
+  for (const auto &row :
+       read_reference_table(std::string(SOURCE_DIR) + "/reference/persson.csv"))
+    rows.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
+  return rows;
+}
 
 struct Contacts
 {
@@ -102,9 +107,10 @@ struct Errors
 };
 
 Errors
-compute_errors(const unsigned int n_nodes,
-               const unsigned int degree,
-               const bool         is_closed_form)
+compute_errors(const std::vector<Row> &rows,
+               const unsigned int      n_nodes,
+               const unsigned int      degree,
+               const bool              is_closed_form)
 {
   const Contacts contact = make_contact(n_nodes, degree, is_closed_form);
   Errors         errors;
@@ -137,7 +143,7 @@ compute_errors(const unsigned int n_nodes,
           worst_peak  = std::max(worst_peak, std::abs(peak));
         }
     }
-  const double n    = n_directions * std::size(rows);
+  const double n    = n_directions * rows.size();
   errors.half_angle = std::sqrt(errors.half_angle / n);
   errors.peak       = std::sqrt(errors.peak / n);
   std::cout << "  " << n_nodes << " bore nodes: half-angle off by "
@@ -151,13 +157,15 @@ compute_errors(const unsigned int n_nodes,
 }
 
 void
-check(const unsigned int degree, const bool is_closed_form)
+check(const std::vector<Row> &rows,
+      const unsigned int      degree,
+      const bool              is_closed_form)
 {
   std::cout << (is_closed_form ? "closed form" : "finite elements")
             << " of degree " << degree << std::endl;
-  const Errors coarse = compute_errors(90, degree, is_closed_form);
-  compute_errors(180, degree, is_closed_form);
-  const Errors fine = compute_errors(360, degree, is_closed_form);
+  const Errors coarse = compute_errors(rows, 90, degree, is_closed_form);
+  compute_errors(rows, 180, degree, is_closed_form);
+  const Errors fine = compute_errors(rows, 360, degree, is_closed_form);
   std::cout << "  rate of the peak from 90 to 360 nodes "
             << 0.5 * std::log2(coarse.peak / fine.peak)
             << ", second order but for 0.2 "
@@ -169,7 +177,8 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::cout << std::fixed << std::setprecision(2);
+  const std::vector<Row> rows = read_rows();
   for (const bool is_closed_form : {false, true})
     for (unsigned int degree = 1; degree <= 2; ++degree)
-      check(degree, is_closed_form);
+      check(rows, degree, is_closed_form);
 }

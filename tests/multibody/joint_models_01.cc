@@ -3,11 +3,16 @@
 // Every joint model in the crank pin of the steel slider-crank of Mukras et al.
 // (2010), and impacts with known answers.
 //
-// Clearance 0.5 um: the force is that of the ideal joint, within 1 % of its
-// peak at each of 72 crank angles, for every contact law, for every friction
-// law beside Lankarani and Nikravesh' law, and for the massless link. What they
-// differ by is friction (a moment of 0.15 R F_N at each body), the clearance
-// and the integration, each well below that.
+// Clearance 0.5 um: no law matters but that of friction. With friction the
+// total force is known at 72 crank angles from an independent integration
+// (reference/clearance_0.5um_literal.csv, Radau, rtol 1e-9); the sliding is 27
+// mm/s and more, so that every law of friction has the ratio 0.15. It moves the
+// force by 1.1e-3 of its peak from that of the ideal joint (a moment of 0.15 R
+// F_N at each body); the normal force alone would be smaller by 1/sqrt(1 +
+// 0.15^2), or 1.1e-2. Without friction, as have the massless link and the
+// impact joint while the pin follows, the force is that of the ideal joint, but
+// for the clearance, 5e-7 of the links. What is allowed, 3e-4 of the peak, is
+// the accuracy that the integration is asked for; it tells friction from none.
 //
 // Clearance 5 mm, Lankarani-Nikravesh, from a centred start, second revolution:
 // three independent codes agree on a peak of 975.33 N and a mean of 505.96 N of
@@ -53,20 +58,33 @@ steel_with(const JointModel   model,
   return p;
 }
 
+/// Largest difference of the total force from @p known [N] at 72 crank angles,
+/// over the largest of these.
 void
-compare_with_ideal(const std::string         &what,
-                   const MechanismParameters &p,
-                   const JointDutyCycle      &ideal)
+compare(const std::string         &what,
+        const MechanismParameters &p,
+        const Eigen::VectorXd     &known)
 {
   const Mechanism       mechanism(p);
   const DutyCycle       cycle = CycleSimulation(mechanism, {}).run();
   const JointDutyCycle &joint = cycle.joint("crank_pin");
   const double          error =
-    (joint.force() - ideal.force()).lpNorm<Eigen::Infinity>() /
-    ideal.peak_force();
+    (joint.force() - known).lpNorm<Eigen::Infinity>() / known.maxCoeff();
   std::cout << "0.5 um, " << what << ": settled " << cycle.settling.converged
             << ", ";
-  report_below("difference to the ideal joint over peak", error, 1e-2);
+  report_below("difference of the force over peak", error, 3e-4);
+}
+
+/// Total forces of the joint with friction.
+Eigen::VectorXd
+read_forces_with_friction()
+{
+  const auto      table = read_table(std::string(SOURCE_DIR) +
+                                "/reference/clearance_0.5um_literal.csv");
+  Eigen::VectorXd forces(table.size());
+  for (std::size_t i = 0; i < table.size(); ++i)
+    forces[i] = table[i].at(3);
+  return forces;
 }
 
 JointDutyCycle
@@ -224,27 +242,30 @@ oblique(const double mu)
 int
 main()
 {
-  const Mechanism      mechanism(steel(1));
-  const DutyCycle      cycle = CycleSimulation(mechanism, {}).run();
-  const JointDutyCycle ideal = cycle.joint("crank_pin");
+  const Mechanism       mechanism(steel(1));
+  const DutyCycle       cycle         = CycleSimulation(mechanism, {}).run();
+  const Eigen::VectorXd ideal         = cycle.joint("crank_pin").force();
+  const Eigen::VectorXd with_friction = read_forces_with_friction();
   for (const std::string law : {"Hertz",
                                 "Lankarani-Nikravesh",
                                 "Hunt-Crossley",
                                 "Flores",
                                 "spring-damper",
                                 "elastic foundation"})
-    compare_with_ideal(law,
-                       steel_with(JointModel::clearance, 0.5e-6, law),
-                       ideal);
-  for (const std::string law : {"none", "Ambrosio", "Stribeck", "LuGre"})
-    compare_with_ideal(
+    compare(law, steel_with(JointModel::clearance, 0.5e-6, law), with_friction);
+  for (const std::string law : {"Ambrosio", "Stribeck", "LuGre"})
+    compare(
       "friction " + law,
       steel_with(JointModel::clearance, 0.5e-6, "Lankarani-Nikravesh", law),
-      ideal);
-  compare_with_ideal("massless link",
-                     steel_with(JointModel::massless_link, 0.5e-6),
-                     ideal);
-  compare_with_ideal("impact", steel_with(JointModel::impact, 0.5e-6), ideal);
+      with_friction);
+  compare(
+    "no friction",
+    steel_with(JointModel::clearance, 0.5e-6, "Lankarani-Nikravesh", "none"),
+    ideal);
+  compare("massless link",
+          steel_with(JointModel::massless_link, 0.5e-6),
+          ideal);
+  compare("impact", steel_with(JointModel::impact, 0.5e-6), ideal);
 
   const JointDutyCycle contact = five_millimetres();
   report_below("  peak of 975.33 N, relative error",

@@ -21,6 +21,10 @@ namespace Tribody
     double residual = 0.;
     /// What happened, in words; empty if it converged.
     std::string message;
+    /// It has not converged, because the residual falls no more: it may be as
+    /// small as rounding lets it be, or the equations cannot be solved. What
+    /// residual will do, only the caller knows.
+    bool stagnated = false;
   };
 } // namespace Tribody
 
