@@ -68,16 +68,18 @@ namespace
   make_joint()
   {
     Multibody::JointParameters joint;
-    joint.name              = "joint";
-    joint.pin_marker        = "pin.O";
-    joint.bushing_marker    = "ground.O";
-    joint.model             = JointModel::clearance;
-    joint.pin_radius        = 9.525e-3;
-    joint.bushing_radius    = 9.575e-3;
-    joint.pin_material      = {"steel", 206.8e9, 0.29, 7800.};
-    joint.bushing_material  = {"polymer", 2e9, 0.38, 1200.};
-    joint.contact_force_law = ContactForceLawChoice::of<FiniteElementLaw>();
-    joint.friction_law      = FrictionLawChoice::of<NoFriction>();
+    joint.name             = "joint";
+    joint.pin_marker       = "pin.O";
+    joint.bushing_marker   = "ground.O";
+    joint.model            = Multibody::JointModel::clearance;
+    joint.pin_radius       = 9.525e-3;
+    joint.bushing_radius   = 9.575e-3;
+    joint.pin_material     = {"steel", 206.8e9, 0.29, 7800.};
+    joint.bushing_material = {"polymer", 2e9, 0.38, 1200.};
+    joint.contact_force_law =
+      Multibody::ContactForceLawChoice::of<Multibody::FiniteElementLaw>();
+    joint.friction_law =
+      Multibody::FrictionLawChoice::of<Multibody::NoFriction>();
     joint.restitution_coefficient = 1.;
     return joint;
   }

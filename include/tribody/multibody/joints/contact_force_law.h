@@ -45,11 +45,13 @@ namespace Tribody
     /// Hertz' law without losses, @f$ F_N = K \delta^{3/2} @f$.
     struct HertzLaw
     {
+      /// The word for it in parameter files. The same below.
       static constexpr const char *name = "Hertz";
 
       /// K [N/m^1.5].
       double stiffness;
 
+      /// With the values that the parameters have for it. The same below.
       static HertzLaw
       make(const JointParameters &joint);
 

@@ -38,8 +38,10 @@ namespace Tribody
     /// No friction.
     struct NoFriction
     {
+      /// The word for it in parameter files. The same below.
       static constexpr const char *name = "none";
 
+      /// With the values that the parameters have for it. The same below.
       static NoFriction
       make(const JointParameters &joint);
 
