@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iostream>
 
+using namespace Tribody;
 using namespace Tribody::Sundials;
 
 int
