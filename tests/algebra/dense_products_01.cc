@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-using namespace Tribody::Contact;
+using namespace Tribody;
 
 Eigen::MatrixXd
 random_matrix(const Eigen::Index n_rows, const Eigen::Index n_columns)
