@@ -17,8 +17,9 @@ namespace Tribody
   template <int n_variables>
   struct ExpressionVariables
   {
-    /// "t", and its unit in expressions, "s".
+    /// Names in expressions, "t".
     std::array<std::string, n_variables> names;
+    /// Their units, "s", for messages; an expression itself has numbers only.
     std::array<std::string, n_variables> units;
     /// "the time t in seconds".
     std::string description;
@@ -51,12 +52,14 @@ namespace Tribody
     double
     value(const dealii::Point<n_variables> &place) const;
 
+    /// Whether the text is a number, so that value() is the same everywhere.
     bool
     is_constant() const
     {
       return parser == nullptr;
     }
 
+    /// Whether it is the constant 1: a factor that need not be evaluated.
     bool
     is_one() const
     {

@@ -23,12 +23,15 @@ namespace Tribody
   template <typename Law>
   class LawChoice;
 
+  /// The choice from the list @p Laws; it has one of them at all times.
   template <typename... Laws>
   class LawChoice<std::variant<Laws...>>
   {
   public:
+    /// A law with its values, as make() returns it.
     using Law = std::variant<Laws...>;
 
+    /// The choice of law @p L, one of the list.
     template <typename L>
     static constexpr LawChoice
     of()
@@ -42,6 +45,7 @@ namespace Tribody
       return LawChoice(i);
     }
 
+    /// Whether law @p L is chosen.
     template <typename L>
     bool
     is() const
@@ -49,6 +53,7 @@ namespace Tribody
       return *this == of<L>();
     }
 
+    /// Whether the same law is chosen; values of a law do not matter.
     bool
     operator==(const LawChoice &other) const
     {
@@ -66,6 +71,7 @@ namespace Tribody
       return makers[index](parameters);
     }
 
+    /// Each law with its word, Law::name, in the order of the list.
     friend ChoiceNames<LawChoice>
     choice_names(const LawChoice)
     {

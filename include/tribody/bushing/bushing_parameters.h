@@ -38,6 +38,7 @@ namespace Tribody
       winkler_layer
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<PressureModel>
     choice_names(const PressureModel)
     {
@@ -54,6 +55,7 @@ namespace Tribody
       multigrid
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<StiffnessSolver>
     choice_names(const StiffnessSolver)
     {
@@ -70,6 +72,7 @@ namespace Tribody
       elastic
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<PinModel>
     choice_names(const PinModel)
     {
@@ -105,16 +108,20 @@ namespace Tribody
       Elasticity::RimShape rim_shape;
       /// What holds it there.
       Elasticity::RimSupport rim_support;
-      Elasticity::PlaneState plane_state    = Elasticity::PlaneState::strain;
-      PressureModel          pressure_model = PressureModel::finite_element;
+      /// Of bushing and elastic pin.
+      Elasticity::PlaneState plane_state = Elasticity::PlaneState::strain;
+      /// By what pressure is computed from the position of the pin.
+      PressureModel pressure_model = PressureModel::finite_element;
       /// Polynomial degree of the elements.
-      unsigned int    element_degree   = 2;
+      unsigned int element_degree = 2;
+      /// How displacements are found in the model "finite element".
       StiffnessSolver stiffness_solver = StiffnessSolver::direct;
       /// How finely it is meshed.
       Elasticity::RingMeshParameters mesh;
       /// Instead of a ring, if there is one.
       Elasticity::MeshFile mesh_file;
-      PinModel             pin = PinModel::automatic;
+      /// Whether the pin deforms too, see pin_is_elastic().
+      PinModel pin = PinModel::automatic;
       /// Radius of the hole in the pin [m]; 0: none.
       double pin_hole_radius = 0.;
       /// When the contact problem counts as solved.

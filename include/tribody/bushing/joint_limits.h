@@ -25,7 +25,9 @@ namespace Tribody
     {
       /// For the user: "maximum depth".
       std::string quantity;
+      /// Of the quantity and of limits in the program: "m".
       std::string si_unit;
+      /// Of limits in messages and in the manual: "mm".
       std::string shown_unit;
       /// Of the parameter.
       std::string documentation;

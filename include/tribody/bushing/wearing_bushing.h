@@ -61,6 +61,7 @@ namespace Tribody
       /// Largest pressure of the cycle [Pa], read as Contact::peak_pressure().
       double max_pressure = 0.;
 
+      /// The contact in the peak_sample, which every rank has.
       const Contact::ContactSolution &
       at_peak_force() const
       {
@@ -73,11 +74,15 @@ namespace Tribody
     struct WearingSurface
     {
       /// "bushing" or "pin".
-      const char              *name;
-      Eigen::Index             first_node;
-      Eigen::Index             n_nodes;
+      const char *name;
+      /// Its first wearing node.
+      Eigen::Index first_node;
+      /// How many wearing nodes follow from there.
+      Eigen::Index n_nodes;
+      /// Its curve and how deep it is worn.
       const Wear::WearProfile &profile;
-      const Wear::WearLaw     &law;
+      /// By which it wears.
+      const Wear::WearLaw &law;
       /// [kg/m^3].
       double density;
 
@@ -117,6 +122,7 @@ namespace Tribody
                      const double                      compliance_update,
                      const MPI_Comm &communicator = MPI_COMM_SELF);
 
+      /// Of the joint that it belongs to.
       const std::string &
       name() const
       {
@@ -281,18 +287,22 @@ namespace Tribody
       write_vtu(const std::string  &file_name,
                 const CycleContact &contact) const;
 
+      /// Whether the compliance of the pin counts, see
+      /// BushingParameters::pin_is_elastic().
       bool
       has_elastic_pin() const
       {
         return elastic.has_elastic_pin();
       }
 
+      /// What it was made from.
       const BushingParameters &
       bushing_parameters() const
       {
         return parameters;
       }
 
+      /// The joint whose bore and pin these are.
       const Multibody::JointParameters &
       joint_parameters() const
       {

@@ -26,18 +26,21 @@ namespace Tribody
     /// copies share the transfers.
     struct PinFacings
     {
-      /// The surfaces, and the angle by which the pin is turned against the
-      /// bushing in every sample [rad].
-      std::shared_ptr<const TurnedSurfaces>              surfaces;
-      Eigen::VectorXd                                    angles;
+      /// Pin and bore as worn when the transfers were made.
+      std::shared_ptr<const TurnedSurfaces> surfaces;
+      /// By which the pin is turned against the bushing in every sample [rad].
+      Eigen::VectorXd angles;
+      /// P of TurnedSurfaces, one per sample; null if there is none.
       std::shared_ptr<const std::vector<TurnedTransfer>> transfers;
 
+      /// Whether there is no pin that wears.
       bool
       empty() const
       {
         return transfers == nullptr;
       }
 
+      /// P of this @p sample. @pre not empty().
       const TurnedTransfer &
       operator[](const Eigen::Index sample) const
       {
@@ -75,12 +78,14 @@ namespace Tribody
       void
       set_depth(const Eigen::VectorXd &depth, const BoreSurface &bore);
 
+      /// Its curve and how deep it is worn, in its own frame.
       const Wear::WearProfile &
       profile() const
       {
         return wear_profile;
       }
 
+      /// The law by which it wears.
       const Wear::WearLaw &
       law() const
       {

@@ -20,6 +20,7 @@ namespace Tribody
       stress
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<PlaneState>
     choice_names(const PlaneState)
     {

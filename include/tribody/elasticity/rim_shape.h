@@ -29,12 +29,14 @@ namespace Tribody
      */
     struct RimShape
     {
+      /// The curve x(t).
       enum class Kind
       {
         circle,
         ellipse
       };
 
+      /// An ellipse has its own second semi-axis; in a circle b = a.
       Kind kind = Kind::circle;
       /// c [m].
       dealii::Point<2> centre = dealii::Point<2>();
@@ -65,6 +67,7 @@ namespace Tribody
       point(const double outer_radius, const double t) const;
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<RimShape::Kind>
     choice_names(const RimShape::Kind)
     {

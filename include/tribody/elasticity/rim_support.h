@@ -39,6 +39,7 @@ namespace Tribody
      */
     struct RimSupport
     {
+      /// What is at the rim, as above.
       enum class Kind
       {
         clamped,
@@ -46,6 +47,7 @@ namespace Tribody
         housing
       };
 
+      /// Decides which of the values below count.
       Kind kind = Kind::clamped;
       /// k_n [N/m^3].
       double normal_stiffness = 0.;
@@ -79,6 +81,7 @@ namespace Tribody
       }
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<RimSupport::Kind>
     choice_names(const RimSupport::Kind)
     {

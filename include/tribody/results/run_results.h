@@ -23,9 +23,10 @@ namespace Tribody
       double worn_mass      = 0.; ///< [kg]
       /// Of the volume on the mesh against what the wear law has removed [-].
       double volume_balance_relative_error = 0.;
-      /// Estimated errors left by the wear steps: of the depth of the deepest
-      /// node [m] and of the volume [m^3].
-      double depth_error  = 0.;
+      /// Estimated error that the wear steps have left in the depth of the
+      /// deepest node [m].
+      double depth_error = 0.;
+      /// The same in the volume [m^3].
       double volume_error = 0.;
     };
 
@@ -40,26 +41,35 @@ namespace Tribody
     /// What a run says of a bushing and its pin beside JointState.
     struct BushingResults
     {
+      /// Of the joint.
       std::string name;
       /// Its place in RunState::joints.
-      std::size_t                    number;
-      SurfaceResults                 bushing;
-      std::optional<SurfaceResults>  pin; ///< if it wears
+      std::size_t number;
+      /// How its bore has worn.
+      SurfaceResults                bushing;
+      std::optional<SurfaceResults> pin; ///< if it wears
+      /// Empty where it does not apply: if the pin wears, the coefficient
+      /// varies, the force turns by more than 45 degrees from its mean
+      /// direction, or wear is not deeper than the clearance.
       std::optional<CrescentResults> crescent;
       /// Largest, of the worn joint [m].
       double clearance;
       /// Amplitude of the mesh-size oscillation of the wear rate [-].
       double mesh_oscillation;
 
-      /// The errors of depth and volume, relative to the deepest and to what
-      /// both surfaces have lost [-].
+      /// The larger of the errors of depth, relative to the deepest of both
+      /// surfaces [-]; zero without wear.
       double
       depth_relative_error() const;
 
+      /// The sum of the errors of volume, relative to what both surfaces have
+      /// lost [-]; zero without wear.
       double
       volume_relative_error() const;
     };
 
+    /// How a run ended: after its last cycle, at a stop condition, or by an
+    /// error.
     enum class RunStatus
     {
       completed,
@@ -74,13 +84,15 @@ namespace Tribody
     /// What a run has come to. A plain value.
     struct RunResults
     {
+      /// Until a run has ended well it counts as failed.
       RunStatus status = RunStatus::failed;
       /// Why it did not complete; empty otherwise.
       std::string message;
       double      wall_time         = 0.; ///< [s]
       double      cpu_time          = 0.; ///< [s]
-      double      peak_memory_bytes = 0.;
+      double      peak_memory_bytes = 0.; ///< largest of this rank [bytes]
 
+      /// Where it stands, or stood when it failed.
       RunState state;
       /// Of the bushings whose contacts are known.
       std::vector<BushingResults> bushings;
@@ -93,6 +105,7 @@ namespace Tribody
       double
       depth_relative_error() const;
 
+      /// The same for the volume.
       double
       volume_relative_error() const;
     };

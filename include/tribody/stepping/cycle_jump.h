@@ -22,9 +22,10 @@ namespace Tribody
     {
       /// Where it ends [cycles].
       double cycles;
-      /// The depths there [m], and the cross-section areas that the wearing
-      /// nodes have lost in the step [m^2].
+      /// The depths there [m], one value per wearing node.
       std::vector<Eigen::VectorXd> depths;
+      /// The cross-section areas that the wearing nodes have lost in the step
+      /// [m^2].
       std::vector<Eigen::VectorXd> removed_areas;
       /// Number of the stop condition that it ends at.
       std::optional<unsigned int> reached;
@@ -78,8 +79,11 @@ namespace Tribody
       estimate_error(RunState &state, const double cycles_kept) = 0;
 
     protected:
+      /// Those that wear, in the shape of the state; they serve to compute
+      /// rates.
       const std::deque<WearingBushing> &bushings;
-      const StopConditions             &stop_conditions;
+      /// At which a step ends early.
+      const StopConditions &stop_conditions;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -11,14 +11,16 @@ namespace Tribody
     /// used, relative [-].
     struct MeshError
     {
-      /// Bore nodes of both meshes; 0: there is no estimate.
-      unsigned int n_nodes        = 0;
+      /// Bore nodes of the mesh that was used; 0: there is no estimate.
+      unsigned int n_nodes = 0;
+      /// Bore nodes of the next coarser mesh.
       unsigned int n_coarse_nodes = 0;
       /// Of the largest pressure of the first cycle.
       double max_pressure = 0.;
-      /// Of the maximum depth: worn in the whole run, or in the first cycle.
-      double wear_depth       = 0.;
-      bool   covers_whole_run = false;
+      /// Of the maximum depth.
+      double wear_depth = 0.;
+      /// Whether that depth is of the whole run, not of the first cycle alone.
+      bool covers_whole_run = false;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -45,20 +45,25 @@ namespace Tribody
     /// per wearing node, those of the bore and then those of the pin [m].
     struct JointState
     {
+      /// What wear has taken so far.
       Eigen::VectorXd depth;
-      /// What its elastic compliance and the motion of the mechanism were
-      /// computed for: both follow the depth with a lag.
+      /// What its elastic compliance was computed for: it follows the depth
+      /// with a lag.
       Eigen::VectorXd depth_at_compliance;
+      /// What the motion of the mechanism was computed for, with a lag too.
       Eigen::VectorXd depth_at_dynamics;
       /// Contact and wear per cycle at the depth, under the duty cycle.
       CycleContact contact;
-      JointTotals  totals;
+      /// Sums over all cycles so far.
+      JointTotals totals;
     };
 
     /// What one cycle takes away: from CycleContact.
     struct WearRates
     {
+      /// Depth per cycle [m], one value per wearing node.
       Eigen::VectorXd wear_rate;
+      /// Cross-section area per cycle [m^2], one value per wearing node.
       Eigen::VectorXd removed_area;
     };
 
@@ -74,26 +79,33 @@ namespace Tribody
       Eigen::VectorXd rate;
       /// Bound of the next step from what changes between steps [cycles]; 0:
       /// none.
-      double                    max_step = 0.;
+      double max_step = 0.;
+      /// What the step control and the predictor of the next step know.
       Wear::ExtrapolationMemory extrapolation;
 
-      /// Explicit steps. The rates at the beginning of the last step, and those
-      /// that it took, one per joint.
+      /// Explicit steps. The rates at the beginning of the last step, one per
+      /// joint.
       std::vector<WearRates> rates_before;
+      /// The rates that it took: these, or those of the first step for all.
       std::vector<WearRates> rates_taken;
-      /// Cycles up to which a step is stable, and the compliance builds that
-      /// this belongs to; 0: not known.
-      double       max_stable_step    = 0.;
+      /// Cycles up to which a step is stable; 0: not known.
+      double max_stable_step = 0.;
+      /// RunCounts::compliance_builds that this bound belongs to; 0: none yet.
       unsigned int stable_step_builds = 0;
     };
 
     /// What a run counts.
     struct RunCounts
     {
-      unsigned int wear_steps        = 0;
-      unsigned int rate_evaluations  = 0;
-      unsigned int dynamics_cycles   = 0;
-      unsigned int contact_solves    = 0;
+      /// Wear steps taken, each over many cycles.
+      unsigned int wear_steps = 0;
+      /// How often the wear of a cycle was computed, see WearStep.
+      unsigned int rate_evaluations = 0;
+      /// Cycles of the mechanism whose motion was computed, settling included.
+      unsigned int dynamics_cycles = 0;
+      /// Contact problems: one per joint and sample in each rate evaluation.
+      unsigned int contact_solves = 0;
+      /// How often an elastic compliance was computed, the first ones included.
       unsigned int compliance_builds = 0;
     };
 
@@ -104,9 +116,9 @@ namespace Tribody
       std::vector<unsigned int> contact_losses;
       /// Largest violation of the constraints [m].
       double constraint_drift = 0.;
-      /// Whether all had settled, and what the first one that did not go as
-      /// wished has to say.
-      bool        all_settled = true;
+      /// Whether all had settled.
+      bool all_settled = true;
+      /// What the first one that did not go as wished has to say; else empty.
       std::string settling_message;
     };
 
@@ -117,15 +129,20 @@ namespace Tribody
      */
     struct RunState
     {
+      /// How many cycles the joints have worn.
       double cycles = 0.;
       /// At which the motion was computed last.
       double cycles_at_dynamics = 0.;
       /// One per bushing.
       std::vector<JointState> joints;
-      Multibody::DutyCycle    duty_cycle;
-      DynamicsTotals          dynamics;
-      StepperState            stepper;
-      RunCounts               counts;
+      /// Motion and joint forces that wear goes on under.
+      Multibody::DutyCycle duty_cycle;
+      /// Sums over the duty cycles before it, and its own.
+      DynamicsTotals dynamics;
+      /// For the next wear step.
+      StepperState stepper;
+      /// Costs of the run.
+      RunCounts counts;
       /// What the mesh does to the results, one per bushing; empty if nobody
       /// asked.
       std::vector<MeshError> mesh_errors;

@@ -26,6 +26,7 @@ namespace Tribody
       /// @param bushings must outlive this object.
       explicit StopConditions(const std::deque<WearingBushing> &bushings);
 
+      /// One for each limit that is set for a bushing.
       unsigned int
       n_conditions() const
       {

@@ -23,6 +23,7 @@ namespace Tribody
       coupled
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<WearScheme>
     choice_names(const WearScheme)
     {
@@ -39,6 +40,7 @@ namespace Tribody
       one_shot
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<Extrapolation>
     choice_names(const Extrapolation)
     {
@@ -55,6 +57,7 @@ namespace Tribody
       whole_run
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<MeshErrorEstimate>
     choice_names(const MeshErrorEstimate)
     {
@@ -66,7 +69,9 @@ namespace Tribody
     /// How wear is integrated over the cycles.
     struct WearParameters
     {
-      WearScheme    scheme        = WearScheme::staggered;
+      /// Coupled: the dynamics takes its contact forces from the bushings.
+      WearScheme scheme = WearScheme::staggered;
+      /// How the wear of one cycle is carried over many.
       Extrapolation extrapolation = Extrapolation::implicit;
       /// Relative error of the depth that an implicit step may make [-].
       double tolerance = 5e-3;
@@ -74,7 +79,8 @@ namespace Tribody
       double cycles_per_step = 0.;
       /// Change of the profile, as a fraction of the wall, after which the
       /// compliance is computed anew [-].
-      double            compliance_update   = 0.005;
+      double compliance_update = 0.005;
+      /// What is computed a second time to learn how far the mesh matters.
       MeshErrorEstimate mesh_error_estimate = MeshErrorEstimate::first_cycle;
       /// Change of the profile, as a fraction of the largest clearance of the
       /// worn joint, after which the dynamics is run anew [-].

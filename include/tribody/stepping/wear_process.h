@@ -39,12 +39,15 @@ namespace Tribody
       WearProcess &
       operator=(const WearProcess &) = delete;
 
+      /// Where it stands. The reference is to a member, which each operation
+      /// changes.
       const RunState &
       state() const
       {
         return run_state;
       }
 
+      /// The joints that wear, in the shape of the state.
       const std::deque<WearingBushing> &
       bushings() const
       {
@@ -92,6 +95,7 @@ namespace Tribody
         run_state.mesh_errors = errors;
       }
 
+      /// For the run, see RunState: the user has been told, once.
       void
       set_unstable_step_reported()
       {

@@ -25,8 +25,11 @@ namespace Tribody
     /// f [m] with its derivatives with respect to the angle.
     struct Values
     {
+      /// f [m].
       double value;
+      /// f' [m/rad].
       double first_derivative;
+      /// f'' [m/rad^2].
       double second_derivative;
     };
 
@@ -46,6 +49,7 @@ namespace Tribody
     double
     value(const double angle) const;
 
+    /// f, f' and f'' at the @p angle [rad], any real number.
     Values
     evaluate(const double angle) const;
 

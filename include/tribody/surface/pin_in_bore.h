@@ -57,6 +57,7 @@ namespace Tribody
     scalar
   };
 
+  /// Their words, see ChoiceNames.
   inline ChoiceNames<PenetrationMeasure>
   choice_names(const PenetrationMeasure)
   {

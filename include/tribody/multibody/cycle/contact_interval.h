@@ -29,23 +29,27 @@ namespace Tribody
       double onset;
       /// When it ended [s]; the end of the record if it did not.
       double loss;
-      /// Whether onset and loss were seen.
+      /// Whether the onset was seen; else the motion began in contact.
       bool has_onset;
+      /// Whether the loss was seen; else the contact lasts beyond the record.
       bool has_loss;
-      /// Penetration rate at the onset and minus that at the loss [m/s]; zero
-      /// if not seen.
+      /// Penetration rate at the onset [m/s]; zero if that was not seen.
       double approach_speed;
+      /// Minus the penetration rate at the loss [m/s]; zero if that was not
+      /// seen.
       double separation_speed;
       /// Largest total force [N].
-      double       peak_force;
+      double peak_force;
+      /// Impact or following, by its length.
       ContactState state;
     };
 
     /// What contacts of one joint are listed for.
     struct ContactWindow
     {
-      /// Recorded time [s].
+      /// Start of the recorded time [s].
       double begin;
+      /// End of the recorded time [s].
       double end;
       /// Start of the motion [s].
       double motion_begin;

@@ -27,6 +27,8 @@ namespace Tribody
     class CycleRecorder
     {
     public:
+      /// For @p n_samples samples in a cycle of @p period [s]. Keeps a
+      /// reference to @p equations.
       CycleRecorder(const EquationsOfMotion &equations,
                     const unsigned int       n_samples,
                     const double             period);

@@ -56,7 +56,9 @@ namespace Tribody
       CycleSimulation &
       operator=(const CycleSimulation &) = delete;
 
+      /// Worn surfaces of joints with a contact law, by name of the joint.
       using Clearances = std::map<std::string, JointClearance>;
+      /// Elastic surfaces of joints, by name of the joint.
       using Supports = std::map<std::string, std::shared_ptr<const PinSupport>>;
 
       /**

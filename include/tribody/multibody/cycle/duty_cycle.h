@@ -28,43 +28,53 @@ namespace Tribody
      */
     struct JointDutyCycle
     {
+      /// As in the parameters.
       std::string name;
-      bool        is_revolute = true;
+      /// Whether pin and bushing turn against each other: only then is there
+      /// sliding.
+      bool is_revolute = true;
       /// As JointParameters::has_gap().
       bool has_gap = false;
       /// As JointParameters::has_contact_law(); EnergyRecord has entries for
       /// these joints.
       bool has_contact_law = false;
 
-      /// Total force [N].
+      /// Total force, x component [N].
       Eigen::VectorXd force_x;
+      /// Total force, y component [N].
       Eigen::VectorXd force_y;
       /// F_N [N], not negative.
       Eigen::VectorXd normal_force;
       /// On the bushing along k x n [N], where n points from the bushing's
       /// centre to the contact: the sign of the sliding speed of the pin.
       Eigen::VectorXd friction_force;
-      /// Direction of n in the frames of bushing and pin [rad], [0, 2 pi).
+      /// Direction of n in the frame of the bushing [rad], [0, 2 pi).
       Eigen::VectorXd contact_angle_bushing;
+      /// Direction of n in the frame of the pin [rad], [0, 2 pi).
       Eigen::VectorXd contact_angle_pin;
       /// R_j times the angle turned between pin and bushing from half an
       /// interval before the sample to half an interval after [m], >= 0.
       Eigen::VectorXd sliding_increment;
       /// Mean sliding speed in that interval [m/s], not negative.
       Eigen::VectorXd sliding_speed;
-      /// |e| and delta (negative: gap) [m].
-      Eigen::VectorXd           eccentricity;
-      Eigen::VectorXd           penetration;
+      /// |e|, of the pin's centre from the bushing's [m].
+      Eigen::VectorXd eccentricity;
+      /// delta [m]; negative: gap.
+      Eigen::VectorXd penetration;
+      /// Following for an ideal joint.
       std::vector<ContactState> state;
 
       /// Moment on the second body about its marker, the centre of the bushing
-      /// [N m], and where that is in global axes [m].
+      /// [N m].
       Eigen::VectorXd moment;
+      /// Where that marker is, x in global axes [m].
       Eigen::VectorXd point_x;
+      /// Where that marker is, y in global axes [m].
       Eigen::VectorXd point_y;
 
-      /// Contacts that began and ended in this cycle.
+      /// Contacts that began in this cycle.
       unsigned int n_onsets = 0;
+      /// Contacts that ended in this cycle.
       unsigned int n_losses = 0;
       /// All contacts that fall into this cycle, also in part.
       std::vector<ContactInterval> contacts;
@@ -79,17 +89,20 @@ namespace Tribody
       /// friction counts too.
       double residual_ringing = 0.;
 
-      /// If several cycles were recorded: the mean of their peak forces, and
-      /// the standard deviations from cycle to cycle of peak and mean force
+      /// If several cycles were recorded: the mean of their peak forces [N].
+      double mean_peak_force = 0.;
+      /// Likewise the standard deviation of the peak force from cycle to cycle
       /// [N].
-      double mean_peak_force      = 0.;
       double peak_force_deviation = 0.;
+      /// Likewise the standard deviation of the mean force from cycle to cycle
+      /// [N].
       double mean_force_deviation = 0.;
 
       /// Magnitude of the total force [N].
       Eigen::VectorXd
       force() const;
 
+      /// Largest total force among the samples [N].
       double
       peak_force() const;
 
@@ -122,9 +135,11 @@ namespace Tribody
     /// global axes on the driven body.
     struct DriverDutyCycle
     {
+      /// As in the parameters.
       std::string name;
-      /// [N].
+      /// x component [N].
       Eigen::VectorXd force_x;
+      /// y component [N].
       Eigen::VectorXd force_y;
       /// About the centre of mass of the driven body [N m].
       Eigen::VectorXd moment;
@@ -135,16 +150,18 @@ namespace Tribody
     /// Energies over a cycle and how well they are in balance.
     struct EnergyHistory
     {
-      /// At each sample [J].
+      /// Kinetic energy at each sample [J].
       Eigen::VectorXd kinetic;
+      /// Potential energy of gravity and springs at each sample [J].
       Eigen::VectorXd potential;
       /// Changes since the cycle began, at each sample.
       std::vector<EnergyRecord> samples;
       /// Changes over the whole cycle.
       EnergyRecord cycle;
       /// Largest error of the balance in this cycle, relative to the largest of
-      /// its terms in this cycle [-]; the same for the whole motion.
-      double relative_error             = 0.;
+      /// its terms in this cycle [-].
+      double relative_error = 0.;
+      /// The same for the whole motion.
       double relative_error_since_start = 0.;
     };
 
@@ -156,7 +173,9 @@ namespace Tribody
       /// Largest change of a joint force from the cycle before, relative to
       /// that joint's largest force [-].
       double repeat_difference = 0.;
-      bool   converged         = false;
+      /// Whether that is within DynamicsParameters::settling_tolerance, or
+      /// nothing had to settle.
+      bool converged = false;
       /// Cycles that the recorded samples belong to: more than one if the
       /// motion does not repeat.
       unsigned int n_averaged_cycles = 1;
@@ -176,24 +195,32 @@ namespace Tribody
       /// Time since the start of the motion [s].
       Eigen::VectorXd time;
       /// 360 j / n [deg].
-      Eigen::VectorXd             phase;
+      Eigen::VectorXd phase;
+      /// All joints, in the order of the parameters.
       std::vector<JointDutyCycle> joints;
-      /// One column per sample: (x, y, phi) of each body [m, rad], their rates
-      /// and second derivatives.
+      /// One column per sample: (x, y, phi) of each body [m, rad].
       Eigen::MatrixXd coordinates;
+      /// Their rates [m/s, rad/s].
       Eigen::MatrixXd velocities;
+      /// Their second derivatives [m/s^2, rad/s^2].
       Eigen::MatrixXd accelerations;
 
+      /// All drivers, in the order of the parameters.
       std::vector<DriverDutyCycle> drivers;
-      EnergyHistory                energy;
+      /// Without an energy account, kinetic and potential energy only.
+      EnergyHistory energy;
 
+      /// How many cycles it took to get here.
       SettlingReport settling;
       /// Largest entry of Phi at any integration step since the start of the
       /// motion [m, rad].
       double constraint_drift = 0.;
-      /// The whole run, and the recorded cycle alone.
+      /// Costs of the whole motion, all cycles included; zero without
+      /// integration.
       Sundials::IntegratorStatistics statistics;
-      unsigned long                  n_steps_in_cycle = 0;
+      /// Integration steps of the recorded cycle alone; a mean if several were
+      /// averaged.
+      unsigned long n_steps_in_cycle = 0;
 
       /// Make a record of @p n cycles one of an average cycle: every sample
       /// gets an n-th of its sliding, and the scatter is computed.

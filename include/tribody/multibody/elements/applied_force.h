@@ -25,14 +25,16 @@ namespace Tribody
      */
     struct AppliedForce
     {
+      /// Where it acts.
       Marker marker;
       /// F [N].
       Eigen::Vector2d vector;
-      bool            turns_with_body;
+      /// Whether F is given in the axes of the body, not in global ones.
+      bool turns_with_body;
       /// f [-].
       TimeFunction function;
 
-      /// @param q coordinates of the marker's body.
+      /// Force at time @p t [s]. @param q coordinates of the marker's body.
       BodyForce
       compute_force(const double t, const Eigen::Vector3d &q) const;
     };
@@ -40,12 +42,15 @@ namespace Tribody
     /// A given torque f(t) M on the first body, and its reaction on the second.
     struct AppliedTorque
     {
+      /// The first takes the torque, the second its reaction.
       BodyPair bodies;
       /// M [N m], positive counter-clockwise on the first body.
       double torque;
       /// f [-].
       TimeFunction function;
 
+      /// Generalised forces at time @p t [s], (0, 0, f M) and (0, 0, -f M).
+      /// They do not depend on q.
       PairVector
       compute_force(const double t) const;
     };

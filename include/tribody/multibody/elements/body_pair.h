@@ -24,6 +24,7 @@ namespace Tribody
     /// A point fixed in a body.
     struct Marker
     {
+      /// Number of the body, or ground_body.
       int body = ground_body;
       /// Position in the body's frame [m].
       Eigen::Vector2d position = Eigen::Vector2d::Zero();
@@ -58,9 +59,12 @@ namespace Tribody
      */
     struct BodyPair
     {
-      int first  = ground_body;
+      /// Number of the first body, in a joint with a pin that of the pin.
+      int first = ground_body;
+      /// Number of the second body, in a joint with a pin that of the bushing.
       int second = ground_body;
 
+      /// Entries of the two bodies in @p global, which has three per body.
       PairVector
       gather(const Eigen::Ref<const Eigen::VectorXd> &global) const
       {
@@ -73,6 +77,7 @@ namespace Tribody
         return local;
       }
 
+      /// Add @p local to the entries of the two bodies in @p global.
       void
       add_to(const PairVector &local, Eigen::Ref<Eigen::VectorXd> global) const
       {
@@ -128,6 +133,7 @@ namespace Tribody
                              local.template middleRows<3>(3 * k));
       }
 
+      /// The first body for k = 0, the second for k = 1.
       int
       body(const int k) const
       {

@@ -32,6 +32,7 @@ namespace Tribody
     /// A rigid body with its frame at the centre of mass.
     struct BodyParameters
     {
+      /// From the title of the subsection; unique among the bodies.
       std::string name;
       /// Mass [kg].
       double mass = 1.;
@@ -44,10 +45,12 @@ namespace Tribody
       dealii::Point<2> initial_position;
       /// Angle at the start [rad]; a guess too.
       double initial_angle = 0.;
-      /// Velocity of the centre of mass [m/s] and angular velocity [rad/s] at
-      /// the start, which are projected onto what the joints allow.
+      /// Velocity of the centre of mass at the start [m/s], which is projected
+      /// onto what the joints allow.
       dealii::Point<2> initial_velocity;
-      double           initial_angular_velocity = 0.;
+      /// Angular velocity at the start, counter-clockwise [rad/s]; projected
+      /// too.
+      double initial_angular_velocity = 0.;
 
       /// Declares in the current subsection, "Body <name>".
       void

@@ -23,12 +23,15 @@ namespace Tribody
     class Constraint
     {
     public:
+      /// Of all kinds: a rigid joint has this many.
       static constexpr unsigned int max_equations = 3;
 
       /// One entry per equation: values or multipliers.
-      using Values   = Eigen::Matrix<double, max_equations, 1>;
+      using Values = Eigen::Matrix<double, max_equations, 1>;
+      /// One row per equation, one column per coordinate of the two bodies.
       using Jacobian = Eigen::Matrix<double, max_equations, 6>;
 
+      /// @param description for messages, see the member.
       Constraint(const std::string &description,
                  const BodyPair    &bodies,
                  const unsigned int n_equations)
@@ -85,8 +88,10 @@ namespace Tribody
       }
 
       /// "Joint crank_pin", as in the parameter file.
-      const std::string  description;
-      const BodyPair     bodies;
+      const std::string description;
+      /// The bodies that it connects.
+      const BodyPair bodies;
+      /// From 1 to max_equations.
       const unsigned int n_equations;
     };
   } // namespace Multibody

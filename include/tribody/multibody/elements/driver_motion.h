@@ -24,6 +24,7 @@ namespace Tribody
       /// f [-].
       TimeFunction function;
 
+      /// c at time @p t [s], in rad or m.
       double
       value(const double t) const
       {
@@ -31,6 +32,7 @@ namespace Tribody
                (amplitude == 0. ? 0. : amplitude * function.value(t));
       }
 
+      /// c' [rad/s or m/s].
       double
       first_derivative(const double t) const
       {
@@ -38,6 +40,7 @@ namespace Tribody
                (amplitude == 0. ? 0. : amplitude * function.derivatives(t)[0]);
       }
 
+      /// c'' [rad/s^2 or m/s^2].
       double
       second_derivative(const double t) const
       {

@@ -23,6 +23,7 @@ namespace Tribody
       distance
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<DriverType>
     choice_names(const DriverType)
     {
@@ -37,8 +38,10 @@ namespace Tribody
      */
     struct DriverParameters
     {
+      /// From the title of the subsection; unique among the drivers.
       std::string name;
-      DriverType  type = DriverType::angle;
+      /// Whether it is a motor or an actuator.
+      DriverType type = DriverType::angle;
 
       /// The body that is turned.
       std::string body;
@@ -51,8 +54,9 @@ namespace Tribody
       /// Factor of the time function [rad].
       double angle_amplitude = 0.;
 
-      /// Ends of an actuator, "<body>.<marker>".
-      std::string first_marker  = "ground.O";
+      /// One end of an actuator, "<body>.<marker>".
+      std::string first_marker = "ground.O";
+      /// The other end.
       std::string second_marker = "ground.O";
       /// Distance at time 0 [m].
       double initial_distance = 0.;
@@ -72,6 +76,7 @@ namespace Tribody
       void
       check() const;
 
+      /// Whether it prescribes an angle: a motor, not an actuator.
       bool
       is_angle() const
       {

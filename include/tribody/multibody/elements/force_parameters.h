@@ -25,6 +25,7 @@ namespace Tribody
       body
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<ForceAxes>
     choice_names(const ForceAxes)
     {
@@ -34,12 +35,14 @@ namespace Tribody
     /// A given force at a marker.
     struct ForceParameters
     {
+      /// From the title of the subsection; unique among the forces.
       std::string name;
       /// Where it acts, "<body>.<marker>".
       std::string marker = "ground.O";
       /// Force where the time function is 1 [N].
       dealii::Point<2> vector;
-      ForceAxes        axes = ForceAxes::global;
+      /// Those in which the vector is given.
+      ForceAxes axes = ForceAxes::global;
       /// Factor as an expression of t.
       std::string time_function = "1";
 
@@ -47,6 +50,7 @@ namespace Tribody
       void
       add_parameters(dealii::ParameterHandler &prm);
 
+      /// Nothing: what can be wrong are references, which Mechanism checks.
       void
       check() const
       {}
@@ -55,6 +59,7 @@ namespace Tribody
     /// A given torque between two bodies.
     struct TorqueParameters
     {
+      /// From the title of the subsection; unique among the torques.
       std::string name;
       /// The body that it acts on.
       std::string body;

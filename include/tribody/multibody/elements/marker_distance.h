@@ -16,8 +16,9 @@ namespace Tribody
       double value;
       /// From the first to the second marker, length 1; zero if they coincide.
       Eigen::Vector2d direction;
-      /// dl/dq and d2l/dq2; zero if the markers coincide.
+      /// dl/dq [-, -, m]; zero if the markers coincide.
       PairVector gradient;
+      /// d2l/dq2, symmetric; zero if the markers coincide.
       PairMatrix hessian;
     };
 

@@ -22,6 +22,7 @@ namespace Tribody
     class MasslessLinkConstraint : public Constraint
     {
     public:
+      /// @p length is the clearance c [m], positive.
       MasslessLinkConstraint(const std::string &description,
                              const Marker      &pin,
                              const Marker      &bushing,

@@ -14,8 +14,9 @@ namespace Tribody
     {
       /// Generalised forces Q [N, N, N m] on the first and second body.
       PairVector force;
-      /// dQ/dq and dQ/dv.
+      /// dQ/dq.
       PairMatrix d_position;
+      /// dQ/dv.
       PairMatrix d_velocity;
     };
   } // namespace Multibody

@@ -17,6 +17,7 @@ namespace Tribody
     class RevoluteConstraint : public Constraint
     {
     public:
+      /// @p first: centre of the pin, @p second: centre of the bushing.
       RevoluteConstraint(const std::string &description,
                          const Marker      &first,
                          const Marker      &second);

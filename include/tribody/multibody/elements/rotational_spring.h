@@ -17,6 +17,7 @@ namespace Tribody
      */
     struct RotationalSpring
     {
+      /// The first is that whose angle counts positive.
       BodyPair bodies;
       /// k [N m/rad].
       double stiffness;
@@ -27,6 +28,7 @@ namespace Tribody
       /// M_0 [N m].
       double torque_at_reference_angle;
 
+      /// Torques on the two bodies at coordinates @p q and velocities @p v.
       PairForce
       compute_force(const PairVector &q, const PairVector &v) const;
 

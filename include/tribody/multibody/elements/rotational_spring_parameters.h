@@ -17,6 +17,7 @@ namespace Tribody
     /// A linear rotational spring with damper between two bodies.
     struct RotationalSpringParameters
     {
+      /// From the title of the subsection; unique among the rotational springs.
       std::string name;
       /// The body whose angle counts.
       std::string body;

@@ -15,8 +15,11 @@ namespace Tribody
      */
     struct Spring
     {
-      BodyPair        bodies;
+      /// The bodies that it pulls together.
+      BodyPair bodies;
+      /// Its end in the frame of the first body [m].
       Eigen::Vector2d s_1;
+      /// Its end in the frame of the second body [m].
       Eigen::Vector2d s_2;
       /// k [N/m].
       double stiffness;

@@ -17,9 +17,11 @@ namespace Tribody
     /// A linear spring with damper between two markers.
     struct SpringParameters
     {
+      /// From the title of the subsection; unique among the springs.
       std::string name;
-      /// Its two ends, "<body>.<marker>".
-      std::string first_marker  = "ground.O";
+      /// One end, "<body>.<marker>".
+      std::string first_marker = "ground.O";
+      /// The other end.
       std::string second_marker = "ground.O";
       /// Stiffness [N/m].
       double stiffness = 0.;

@@ -26,8 +26,9 @@ namespace Tribody
       double angle_in_bushing = 0.;
       /// Angle of n in the frame of the pin's body [rad].
       double angle_in_pin = 0.;
-      /// delta [m] and its rate [m/s].
-      double penetration      = 0.;
+      /// delta [m], positive in contact.
+      double penetration = 0.;
+      /// Rate of delta [m/s], positive while the pin moves in.
       double penetration_rate = 0.;
       /// Velocity of the pin's surface relative to the bushing's along k x n
       /// [m/s].
@@ -38,13 +39,13 @@ namespace Tribody
       double normal_force = 0.;
       /// Friction and tangential damping [N], on the bushing along k x n.
       double tangential_force = 0.;
-      /// Moments on the pin about its centre and on the bushing about its
-      /// centre [N m].
-      double pin_moment     = 0.;
+      /// Moment on the pin about its centre [N m].
+      double pin_moment = 0.;
+      /// Moment on the bushing about its centre [N m].
       double bushing_moment = 0.;
-      /// Power of the normal force, taken from the bodies [W], and what of it
-      /// the surfaces store.
-      double normal_power  = 0.;
+      /// Power of the normal force, taken from the bodies [W].
+      double normal_power = 0.;
+      /// What of it the surfaces store, to give it back [W].
       double elastic_power = 0.;
       /// Energy stored, for laws that know it; the others say zero [J].
       double elastic_energy = 0.;
@@ -62,12 +63,16 @@ namespace Tribody
     /// respect to the state z of its friction law included, and those of z'.
     struct ClearanceForce : PairForce
     {
+      /// dQ/dz.
       PairVector d_state = PairVector::Zero();
 
+      /// dz'/dq.
       Eigen::Matrix<double, 1, 6> rate_d_position =
         Eigen::Matrix<double, 1, 6>::Zero();
+      /// dz'/dv.
       Eigen::Matrix<double, 1, 6> rate_d_velocity =
         Eigen::Matrix<double, 1, 6>::Zero();
+      /// dz'/dz [1/s].
       double rate_d_state = 0.;
     };
 
@@ -100,16 +105,23 @@ namespace Tribody
      */
     struct ClearanceJoint
     {
-      std::string     name;
-      BodyPair        bodies;
+      /// As in the parameters.
+      std::string name;
+      /// The first carries the pin, the second the bushing.
+      BodyPair bodies;
+      /// Centre of the pin in the frame of its body [m].
       Eigen::Vector2d s_1;
+      /// Centre of the bushing in the frame of its body [m].
       Eigen::Vector2d s_2;
-      /// R_i, R_j [m].
+      /// R_i [m].
       double pin_radius;
+      /// R_j [m].
       double bushing_radius;
 
+      /// Gives F_N while there is contact.
       ContactForceLaw contact_law;
-      FrictionLaw     friction_law;
+      /// Gives friction from F_N and the sliding speed.
+      FrictionLaw friction_law;
       /// d_t [N s/m].
       double tangential_damping;
       /// Floor of the approach speed [m/s]: also its value for a motion that

@@ -45,16 +45,18 @@ namespace Tribody
     /// Hertz' law without losses, @f$ F_N = K \delta^{3/2} @f$.
     struct HertzLaw
     {
-      /// The word for it in parameter files. The same below.
+      /// The word for it in parameter files.
       static constexpr const char *name = "Hertz";
 
       /// K [N/m^1.5].
       double stiffness;
 
-      /// With the values that the parameters have for it. The same below.
+      /// With K of compute_hertz_stiffness() for the radii and materials of @p
+      /// joint.
       static HertzLaw
       make(const JointParameters &joint);
 
+      /// F_N and its derivatives; zero without penetration.
       NormalForce
       normal_force(const ContactKinematics &contact) const;
     };
@@ -68,6 +70,7 @@ namespace Tribody
      */
     struct LankaraniNikraveshLaw
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "Lankarani-Nikravesh";
 
       /// K [N/m^1.5].
@@ -75,9 +78,12 @@ namespace Tribody
       /// e_r [-].
       double restitution_coefficient;
 
+      /// With K of compute_hertz_stiffness() and e_r of @p joint.
       static LankaraniNikraveshLaw
       make(const JointParameters &joint);
 
+      /// F_N and its derivatives; zero without penetration, and where the
+      /// factor in brackets is negative.
       NormalForce
       normal_force(const ContactKinematics &contact) const;
     };
@@ -91,6 +97,7 @@ namespace Tribody
      */
     struct HuntCrossleyLaw
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "Hunt-Crossley";
 
       /// K [N/m^1.5].
@@ -98,9 +105,12 @@ namespace Tribody
       /// e_r [-].
       double restitution_coefficient;
 
+      /// With K of compute_hertz_stiffness() and e_r of @p joint.
       static HuntCrossleyLaw
       make(const JointParameters &joint);
 
+      /// F_N and its derivatives; zero without penetration, and where the
+      /// factor in brackets is negative.
       NormalForce
       normal_force(const ContactKinematics &contact) const;
     };
@@ -114,6 +124,7 @@ namespace Tribody
      */
     struct FloresLaw
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "Flores";
 
       /// K [N/m^1.5].
@@ -121,9 +132,13 @@ namespace Tribody
       /// e_r [-].
       double restitution_coefficient;
 
+      /// With K of compute_hertz_stiffness() and e_r of @p joint, which must be
+      /// positive.
       static FloresLaw
       make(const JointParameters &joint);
 
+      /// F_N and its derivatives; zero without penetration, and where the
+      /// factor in brackets is negative.
       NormalForce
       normal_force(const ContactKinematics &contact) const;
     };
@@ -139,6 +154,7 @@ namespace Tribody
      */
     struct SpringDamperLaw
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "spring-damper";
 
       /// k [N/m].
@@ -146,9 +162,12 @@ namespace Tribody
       /// b [N s/m].
       double damping;
 
+      /// With k and b of @p joint.
       static SpringDamperLaw
       make(const JointParameters &joint);
 
+      /// F_N and its derivatives; zero without penetration, and where the
+      /// damper would pull harder than the spring presses.
       NormalForce
       normal_force(const ContactKinematics &contact) const;
     };
@@ -169,6 +188,7 @@ namespace Tribody
      */
     struct ElasticFoundationLaw
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "elastic foundation";
 
       /// c = R_j - R_i [m].
@@ -182,9 +202,13 @@ namespace Tribody
       /// e_r [-]; 1: no losses.
       double restitution_coefficient;
 
+      /// With L, h and e_r of @p joint, and M of it or, if that is zero,
+      /// compute_layer_modulus() of the bushing's material.
       static ElasticFoundationLaw
       make(const JointParameters &joint);
 
+      /// F_N and its derivatives; zero without penetration, and where the
+      /// hysteresis factor is negative.
       NormalForce
       normal_force(const ContactKinematics &contact) const;
 
@@ -204,14 +228,19 @@ namespace Tribody
      */
     struct FiniteElementLaw
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "finite element";
 
       /// e_r [-]; 1: no losses.
       double restitution_coefficient;
 
+      /// With e_r of @p joint.
       static FiniteElementLaw
       make(const JointParameters &joint);
 
+      /// F_N and its derivatives, those by the rate and by
+      /// ContactKinematics::elastic_force; zero without penetration, and where
+      /// the hysteresis factor is negative.
       NormalForce
       normal_force(const ContactKinematics &contact) const;
     };

@@ -38,18 +38,18 @@ namespace Tribody
     /// No friction.
     struct NoFriction
     {
-      /// The word for it in parameter files. The same below.
+      /// The word for it in parameter files.
       static constexpr const char *name = "none";
 
-      /// With the values that the parameters have for it. The same below.
+      /// Of any @p joint: there are no values.
       static NoFriction
       make(const JointParameters &joint);
 
+      /// Zero at any speed.
       FrictionRatio
       ratio(const double sliding_speed) const;
 
-      /// Sliding speed [m/s] over which friction takes its sign; infinite
-      /// without friction. The same below.
+      /// Sliding speed [m/s] over which friction takes its sign: infinite.
       double
       transition_speed() const;
     };
@@ -57,6 +57,7 @@ namespace Tribody
     /// Coulomb's law made smooth, @f$ F_\mu = \mu F_N \tanh(v_t/v_0) @f$.
     struct RegularisedCoulombFriction
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "Coulomb regularised";
 
       /// mu [-].
@@ -64,12 +65,16 @@ namespace Tribody
       /// v_0 [m/s].
       double regularisation_speed;
 
+      /// With mu and v_0 of @p joint.
       static RegularisedCoulombFriction
       make(const JointParameters &joint);
 
+      /// mu tanh(v_t/v_0) at the @p sliding_speed v_t [m/s], with its
+      /// derivative.
       FrictionRatio
       ratio(const double sliding_speed) const;
 
+      /// v_0 [m/s]; infinite if mu is zero.
       double
       transition_speed() const;
     };
@@ -83,20 +88,26 @@ namespace Tribody
      */
     struct AmbrosioFriction
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "Ambrosio";
 
       /// mu [-].
       double coefficient;
-      /// v_0 and v_1 [m/s].
+      /// v_0 [m/s].
       double lower_speed;
+      /// v_1 [m/s], larger than v_0.
       double upper_speed;
 
+      /// With mu, v_0 and v_1 of @p joint.
       static AmbrosioFriction
       make(const JointParameters &joint);
 
+      /// mu c_d sgn(v_t) at the @p sliding_speed v_t [m/s], with its
+      /// derivative, which jumps at v_0 and v_1.
       FrictionRatio
       ratio(const double sliding_speed) const;
 
+      /// v_1 - v_0 [m/s]; infinite if mu is zero.
       double
       transition_speed() const;
     };
@@ -107,15 +118,18 @@ namespace Tribody
      */
     struct StribeckCurve
     {
-      /// mu_k and mu_s [-].
+      /// mu_k [-].
       double kinetic_coefficient;
+      /// mu_s [-].
       double static_coefficient;
       /// v_s [m/s].
       double stribeck_speed;
 
+      /// g [-] at the @p speed v [m/s], of either sign.
       double
       value(const double speed) const;
 
+      /// dg/dv [s/m].
       double
       derivative(const double speed) const;
     };
@@ -127,20 +141,25 @@ namespace Tribody
      */
     struct StribeckFriction
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "Stribeck";
 
+      /// g.
       StribeckCurve curve;
       /// v_0 [m/s].
       double regularisation_speed;
       /// sigma_2 [s/m].
       double viscous_coefficient;
 
+      /// With g, v_0 and sigma_2 of @p joint.
       static StribeckFriction
       make(const JointParameters &joint);
 
+      /// F_mu/F_N at the @p sliding_speed v_t [m/s], with its derivative.
       FrictionRatio
       ratio(const double sliding_speed) const;
 
+      /// v_0 [m/s]; infinite if mu_s is zero.
       double
       transition_speed() const;
     };
@@ -155,20 +174,28 @@ namespace Tribody
      */
     struct LuGreFriction
     {
+      /// The word for it in parameter files.
       static constexpr const char *name = "LuGre";
 
+      /// g.
       StribeckCurve curve;
-      /// sigma_0 [1/m], sigma_1 [s/m], sigma_2 [s/m].
+      /// sigma_0 [1/m].
       double bristle_stiffness;
+      /// sigma_1 [s/m].
       double bristle_damping;
+      /// sigma_2 [s/m].
       double viscous_coefficient;
 
+      /// With g, sigma_0, sigma_1 and sigma_2 of @p joint.
       static LuGreFriction
       make(const JointParameters &joint);
 
+      /// F_mu/F_N at the @p sliding_speed v_t [m/s] and the @p state z [m],
+      /// with its derivatives.
       FrictionRatio
       ratio(const double sliding_speed, const double state) const;
 
+      /// z' at the same.
       FrictionStateRate
       state_rate(const double sliding_speed, const double state) const;
 
@@ -176,6 +203,8 @@ namespace Tribody
       double
       steady_state(const double sliding_speed) const;
 
+      /// mu_s/(sigma_1 + sigma_2) [m/s]: friction follows the displacement, the
+      /// speed acts through the damping.
       double
       transition_speed() const;
     };

@@ -25,8 +25,9 @@ namespace Tribody
       unsigned int joint;
       /// |e| - c, its derivatives and what e is.
       std::shared_ptr<const MasslessLinkConstraint> link;
-      /// R_i, R_j [m].
+      /// R_i [m].
       double pin_radius;
+      /// R_j [m].
       double bushing_radius;
       /// Normal speed after an impact over that before [-].
       double restitution_coefficient;
@@ -34,9 +35,10 @@ namespace Tribody
       double friction_coefficient;
       /// Approach speed below which the pin does not bounce any more [m/s].
       double capture_speed;
-      /// Whether it follows the bore; then its multiplier is in this row.
-      bool         is_following = false;
-      unsigned int first_row    = 0;
+      /// Whether it follows the bore.
+      bool is_following = false;
+      /// The row of its multiplier while it follows; else without meaning.
+      unsigned int first_row = 0;
 
       /// |e| - c [m].
       double

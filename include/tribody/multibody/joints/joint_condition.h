@@ -16,7 +16,9 @@ namespace Tribody
     /// hold the pin if its law asks for that.
     struct JointCondition
     {
-      PinInBore                         surfaces;
+      /// Worn bore and pin, with which the penetration is found.
+      PinInBore surfaces;
+      /// Of its elastic surfaces; null if the law does not need them.
       std::shared_ptr<const PinSupport> support = nullptr;
     };
 
@@ -29,10 +31,12 @@ namespace Tribody
     struct SupportedContact : SurfaceContact
     {
       /// Magnitude of the support's force [N].
-      double     elastic_force   = 0.;
+      double elastic_force = 0.;
+      /// Its gradient by (e_x, e_y, alpha) [N/m, N/m, N].
       RowVector3 d_elastic_force = RowVector3::Zero();
       /// SupportForce::magnitudes over that [-]; one without a support.
-      double     wrapping   = 1.;
+      double wrapping = 1.;
+      /// Its gradient [1/m, 1/m, -].
       RowVector3 d_wrapping = RowVector3::Zero();
       /// SupportForce::energy [J].
       double energy = 0.;

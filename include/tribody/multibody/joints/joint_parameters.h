@@ -20,6 +20,7 @@ namespace Tribody
 {
   namespace Multibody
   {
+    /// What a joint lets its two bodies do; see the constraints of these names.
     enum class JointType
     {
       revolute,
@@ -28,6 +29,7 @@ namespace Tribody
       point_on_line
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<JointType>
     choice_names(const JointType)
     {
@@ -50,6 +52,7 @@ namespace Tribody
       impact
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<JointModel>
     choice_names(const JointModel)
     {
@@ -66,14 +69,17 @@ namespace Tribody
      */
     struct JointParameters
     {
+      /// From the title of the subsection; unique among the joints.
       std::string name;
-      JointType   type = JointType::revolute;
+      /// Decides which of the values below count.
+      JointType type = JointType::revolute;
 
       /// Centre of the pin, "<body>.<marker>".
       std::string pin_marker = "ground.O";
       /// Centre of the bushing, "<body>.<marker>".
       std::string bushing_marker = "ground.O";
-      JointModel  model          = JointModel::ideal;
+      /// How the pin is kept in the bushing.
+      JointModel model = JointModel::ideal;
       /// Pin radius R_i [m].
       double pin_radius = 9.525e-3;
       /// Bushing radius R_j [m].
@@ -82,51 +88,60 @@ namespace Tribody
       std::string pin_material_name = "steel";
       /// Name of the bushing's material.
       std::string bushing_material_name = "steel";
-      /// The materials themselves. Whoever reads the names fills them in.
-      Material              pin_material;
-      Material              bushing_material;
+      /// The pin's material. Whoever reads the names fills it in.
+      Material pin_material;
+      /// The bushing's material, likewise.
+      Material bushing_material;
+      /// Normal force of the model "clearance".
       ContactForceLawChoice contact_force_law =
         ContactForceLawChoice::of<LankaraniNikraveshLaw>();
+      /// How penetration and direction are measured once bore or pin are worn.
       PenetrationMeasure worn_contact_geometry = PenetrationMeasure::deepest;
-      /// Stiffness k [N/m] and damping b [N s/m] of the spring-damper.
+      /// Stiffness k of the spring-damper [N/m].
       double contact_stiffness = 0.;
-      double contact_damping   = 0.;
-      /// Elastic foundation: length L and thickness h [m], and modulus M [Pa];
-      /// 0: that of the bushing's material.
-      double foundation_length    = 20e-3;
+      /// Damping b of the spring-damper [N s/m].
+      double contact_damping = 0.;
+      /// Length L of the elastic foundation along the axis [m].
+      double foundation_length = 20e-3;
+      /// Its thickness h [m].
       double foundation_thickness = 5e-3;
-      double foundation_modulus   = 0.;
+      /// Its modulus M [Pa]; 0: that of the bushing's material.
+      double foundation_modulus = 0.;
       /// Restitution coefficient e_r [-], in (0, 1].
       double restitution_coefficient = 0.8;
       /// Floor of the approach speed at which a contact began [m/s].
       double minimum_approach_speed = 10e-3;
       /// Approach speed [m/s] below which a pin does not bounce any more
       /// (model "impact").
-      double            capture_speed = 1e-3;
+      double capture_speed = 1e-3;
+      /// Friction of the model "clearance".
       FrictionLawChoice friction_law =
         FrictionLawChoice::of<RegularisedCoulombFriction>();
       /// Friction coefficient [-].
       double friction_coefficient = 0.15;
       /// Speed v_0 in tanh(v_t/v_0) [m/s].
       double friction_regularisation_speed = 1e-3;
-      /// Speeds [m/s] below which there is no friction and above which there
-      /// is all of it (Ambrosio).
+      /// Speed below which there is no friction [m/s] (Ambrosio).
       double friction_lower_speed = 0.1e-3;
+      /// Speed above which there is all of it [m/s] (Ambrosio).
       double friction_upper_speed = 1e-3;
-      /// Static friction coefficient [-] and the speed v_s [m/s] over which it
-      /// falls (Stribeck, LuGre).
+      /// Static friction coefficient [-] (Stribeck, LuGre).
       double static_friction_coefficient = 0.2;
-      double stribeck_speed              = 10e-3;
+      /// Speed v_s over which it falls to friction_coefficient [m/s] (Stribeck,
+      /// LuGre).
+      double stribeck_speed = 10e-3;
       /// sigma_2 [s/m] (Stribeck, LuGre).
       double viscous_friction = 0.;
-      /// sigma_0 [1/m] and sigma_1 [s/m] (LuGre).
+      /// sigma_0 [1/m] (LuGre).
       double bristle_stiffness = 1e5;
-      double bristle_damping   = 10.;
+      /// sigma_1 [s/m] (LuGre).
+      double bristle_damping = 10.;
       /// Damping of the pin's sideways swing in the bore [N s/m].
       double tangential_damping = 0.;
 
-      /// Markers of a joint that is not revolute, "<body>.<marker>".
-      std::string first_marker  = "ground.O";
+      /// First marker of a joint that is not revolute, "<body>.<marker>".
+      std::string first_marker = "ground.O";
+      /// Second marker of such a joint.
       std::string second_marker = "ground.O";
       /// Translational, point on line: direction in the first body's frame
       /// [rad].
@@ -143,6 +158,8 @@ namespace Tribody
       void
       check() const;
 
+      /// Whether it has a pin and a bushing; entries for other joints do not
+      /// count.
       bool
       is_revolute() const
       {

@@ -16,15 +16,18 @@ namespace Tribody
     struct SupportForce
     {
       /// Normal forces of the pin on the bushing, added up [N].
-      Eigen::Vector2d             force   = Eigen::Vector2d::Zero();
+      Eigen::Vector2d force = Eigen::Vector2d::Zero();
+      /// Derivatives of the force [N/m, N/m, N].
       Eigen::Matrix<double, 2, 3> d_force = Eigen::Matrix<double, 2, 3>::Zero();
       /// Sum of their magnitudes [N]: larger than that of their sum if the
       /// contact wraps around the pin. Times mu R_i, the moment of friction.
-      double             magnitudes   = 0.;
+      double magnitudes = 0.;
+      /// Derivatives of that sum [N/m, N/m, N].
       Eigen::RowVector3d d_magnitudes = Eigen::RowVector3d::Zero();
       /// Of the normal forces on the pin about its centre [N m]: a round pin
       /// has none, a worn one is turned away from where it is high.
-      double             moment   = 0.;
+      double moment = 0.;
+      /// Derivatives of the moment [N, N, N m].
       Eigen::RowVector3d d_moment = Eigen::RowVector3d::Zero();
       /// Energy stored in the surfaces [J].
       double energy = 0.;

@@ -27,6 +27,7 @@ namespace Tribody
       static_equilibrium
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<Analysis>
     choice_names(const Analysis)
     {
@@ -45,6 +46,7 @@ namespace Tribody
       static_equilibrium
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<MotionStart>
     choice_names(const MotionStart)
     {
@@ -62,6 +64,7 @@ namespace Tribody
       never
     };
 
+    /// Their words, see ChoiceNames.
     inline ChoiceNames<EnergyBalance>
     choice_names(const EnergyBalance)
     {
@@ -73,6 +76,7 @@ namespace Tribody
     /// How the motion of a mechanism is integrated and recorded.
     struct DynamicsParameters
     {
+      /// What is computed.
       Analysis analysis = Analysis::automatic;
       /// Time of one recorded cycle [s]; 0: one turn of the first driver.
       double cycle_duration = 0.;
@@ -91,9 +95,12 @@ namespace Tribody
       /// Cycles that are averaged if the motion does not repeat.
       unsigned int averaged_cycles = 10;
       /// Integration steps in one cycle after which the run is given up.
-      unsigned int  maximum_steps_per_cycle = 1000000;
-      MotionStart   start                   = MotionStart::slow_motion;
-      EnergyBalance energy_balance          = EnergyBalance::without_wear;
+      unsigned int maximum_steps_per_cycle = 1000000;
+      /// Position and velocities at time 0, where joints have clearance.
+      MotionStart start = MotionStart::slow_motion;
+      /// When energies are added up; costs time, and has no effect on the
+      /// motion.
+      EnergyBalance energy_balance = EnergyBalance::without_wear;
 
       /// Declares in the current subsection, "Dynamics".
       void

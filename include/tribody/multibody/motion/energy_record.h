@@ -22,7 +22,9 @@ namespace Tribody
      */
     struct EnergyRecord
     {
-      double kinetic   = 0.;
+      /// T.
+      double kinetic = 0.;
+      /// V, of gravity and springs.
       double potential = 0.;
       /// Whether the entries below are known.
       bool has_work = false;
@@ -34,12 +36,12 @@ namespace Tribody
       double damper_loss = 0.;
       /// Lost where velocities jump.
       double impact_loss = 0.;
-      /// For each joint with clearance: the work of the normal force that a
-      /// penetration without rate would give, which comes back; what the
-      /// normal force takes beyond it; and what friction and tangential damping
-      /// take.
+      /// For each joint with a contact law: the work of the normal force that a
+      /// penetration without rate would give, which comes back.
       Eigen::VectorXd contact_energy;
+      /// Likewise what the normal force takes beyond that.
       Eigen::VectorXd normal_loss;
+      /// Likewise what friction and tangential damping take.
       Eigen::VectorXd friction_loss;
 
       /// Of drivers and forces.

@@ -80,12 +80,16 @@ namespace Tribody
         return the_events;
       }
 
+      /// Largest total force of each joint [N] at any internal step since
+      /// start(): clearance joints, then those with impacts, as in events().
       std::vector<double>
       peak_forces() const;
 
+      /// Largest entry of Phi at any internal step since start() [m, rad].
       double
       constraint_drift() const;
 
+      /// Costs so far, the sum over all combinations.
       Sundials::IntegratorStatistics
       statistics() const;
 

@@ -23,7 +23,8 @@ namespace Tribody
       Eigen::VectorXd velocities;
       /// Of the states of friction laws [m].
       Eigen::VectorXd friction_states = Eigen::VectorXd();
-      unsigned int    maximum_order   = 5;
+      /// Highest order of BDF, 1 to 5.
+      unsigned int maximum_order = 5;
       /// Longest step [s]; 0: no limit.
       double maximum_step = 0.;
       /// First step after a start or an impact [s]; 0: estimated.
@@ -40,7 +41,8 @@ namespace Tribody
       /// Index into Mechanism::clearance_joints(); its impact_joints() are
       /// counted on from there.
       unsigned int joint;
-      bool         is_onset;
+      /// Whether it began, else it ended.
+      bool is_onset;
       /// Penetration rate at that time [m/s].
       double penetration_rate;
       /// Of a loss: largest total force in the contact that ends [N].
@@ -148,6 +150,7 @@ namespace Tribody
         return the_drift;
       }
 
+      /// Costs so far, summed over restarts.
       Sundials::IntegratorStatistics
       statistics() const;
 

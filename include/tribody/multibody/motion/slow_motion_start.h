@@ -15,8 +15,10 @@ namespace Tribody
     /// A state to start from, and how it was found.
     struct StartingState
     {
+      /// At the time t_0; it fulfils the constraints.
       MechanismState state;
-      SolverReport   report;
+      /// Its message says why a start without vibration was not found.
+      SolverReport report;
     };
 
     /// Every pin in the middle of its bushing, with the velocities of ideal

@@ -16,6 +16,7 @@ namespace Tribody
     /// A position at rest, and what holds it there.
     struct StaticEquilibrium
     {
+      /// Coordinates [m, rad].
       Eigen::VectorXd q;
       /// Lagrange multipliers [N, N m].
       Eigen::VectorXd multipliers;

@@ -24,9 +24,13 @@ namespace Tribody
     /// included.
     struct Energy
     {
+      /// v^T M v / 2.
       double kinetic;
+      /// Of gravity, zero with all centres of mass at the origin, and of
+      /// springs.
       double potential;
 
+      /// Kinetic plus potential energy [J].
       double
       total() const
       {
@@ -38,9 +42,13 @@ namespace Tribody
     /// Phi and its rate.
     struct FirstIndices
     {
+      /// First of the coordinates, and of the equations for q'.
       Eigen::Index q;
+      /// First of the velocities, and of the equations for M v'.
       Eigen::Index v;
+      /// First of the multipliers of Phi = 0, and of these equations.
       Eigen::Index lambda;
+      /// First of the multipliers of the rate of Phi, and of these equations.
       Eigen::Index mu;
     };
 
@@ -54,10 +62,15 @@ namespace Tribody
     class EquationsOfMotion
     {
     public:
-      using Vector      = Eigen::Ref<Eigen::VectorXd>;
-      using Matrix      = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+      /// A result, written in place: a vector or a segment of one.
+      using Vector = Eigen::Ref<Eigen::VectorXd>;
+      /// The same for a matrix or a block of one.
+      using Matrix = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+      /// An argument: a vector or a segment of one, not copied.
       using ConstVector = const Eigen::Ref<const Eigen::VectorXd> &;
 
+      /// Elastic surfaces, one entry per clearance joint; null if its law needs
+      /// none.
       using Supports = std::vector<std::shared_ptr<const PinSupport>>;
 
       /// @p clearances in the order of mechanism.clearance_joints(), and so @p
@@ -67,6 +80,7 @@ namespace Tribody
                         const std::vector<JointClearance> &clearances,
                         const Supports                    &supports = {});
 
+      /// Of which these are the equations.
       const Mechanism &
       mechanism() const
       {
@@ -206,6 +220,7 @@ namespace Tribody
       compute_contact(const unsigned int    joint,
                       const MechanismState &state) const;
 
+      /// At coordinates @p q and velocities @p v.
       Energy
       compute_energy(ConstVector q, ConstVector v) const;
 

@@ -21,17 +21,23 @@ namespace Tribody
      */
     struct ConstraintOffsets
     {
+      /// All zero: the constraints as they are.
       explicit ConstraintOffsets(const unsigned int n_constraints);
 
+      /// Offsets o [m, rad].
       Eigen::VectorXd value;
+      /// do/dt [m/s, rad/s].
       Eigen::VectorXd first_derivative;
+      /// d2o/dt2 [m/s^2, rad/s^2].
       Eigen::VectorXd second_derivative;
     };
 
     /// Accelerations [m/s^2, rad/s^2] and Lagrange multipliers [N, N m].
     struct Accelerations
     {
+      /// Second derivatives of the coordinates [m/s^2, rad/s^2].
       Eigen::VectorXd a;
+      /// lambda of the equations of motion, one per constraint [N, N m].
       Eigen::VectorXd multipliers;
     };
 
@@ -98,9 +104,13 @@ namespace Tribody
     /// Positions, velocities, accelerations and multipliers at one instant.
     struct Motion
     {
+      /// Coordinates [m, rad].
       Eigen::VectorXd q;
+      /// Velocities [m/s, rad/s].
       Eigen::VectorXd v;
+      /// Accelerations [m/s^2, rad/s^2].
       Eigen::VectorXd a;
+      /// Lagrange multipliers, one per constraint [N, N m].
       Eigen::VectorXd multipliers;
     };
 

@@ -22,6 +22,7 @@ namespace Tribody
     /// One equation block of the mechanism with its place among all.
     struct NumberedConstraint
     {
+      /// What it says and between which bodies.
       std::shared_ptr<const Constraint> constraint;
       /// Its first row in Phi and its first multiplier.
       unsigned int first_row;
@@ -30,6 +31,7 @@ namespace Tribody
     /// A joint by its kind: where to look for it.
     struct JointEntry
     {
+      /// As in the parameters.
       std::string name;
       /// Ideal for joints that are not revolute.
       JointModel model;
@@ -42,8 +44,9 @@ namespace Tribody
       double bushing_radius;
       /// First body (pin) and second body (bushing).
       BodyPair bodies;
-      /// Its markers in the frames of these bodies [m].
-      Eigen::Vector2d first_position  = Eigen::Vector2d::Zero();
+      /// Its marker in the frame of the first body [m].
+      Eigen::Vector2d first_position = Eigen::Vector2d::Zero();
+      /// Its marker in the frame of the second body [m].
       Eigen::Vector2d second_position = Eigen::Vector2d::Zero();
       /// Whether the pin has impacts and is between two of them: nothing holds
       /// it.
@@ -122,12 +125,14 @@ namespace Tribody
         return the_parameters;
       }
 
+      /// Of joints and drivers, each with its rows in Phi.
       const std::vector<NumberedConstraint> &
       constraints() const
       {
         return the_constraints;
       }
 
+      /// The joints with a contact law, in the order of the parameters.
       const std::vector<ClearanceJoint> &
       clearance_joints() const
       {
@@ -141,6 +146,7 @@ namespace Tribody
         return the_impact_joints;
       }
 
+      /// Whether no joint has_gap(): all are ideal, or not revolute.
       bool
       has_only_ideal_joints() const
       {
@@ -164,6 +170,7 @@ namespace Tribody
         return the_joints;
       }
 
+      /// In the order of the parameters.
       const std::vector<Spring> &
       springs() const
       {
@@ -181,18 +188,21 @@ namespace Tribody
       bool
       is_driver(const unsigned int constraint) const;
 
+      /// In the order of the parameters.
       const std::vector<RotationalSpring> &
       rotational_springs() const
       {
         return the_rotational_springs;
       }
 
+      /// In the order of the parameters.
       const std::vector<AppliedForce> &
       applied_forces() const
       {
         return the_applied_forces;
       }
 
+      /// In the order of the parameters.
       const std::vector<AppliedTorque> &
       applied_torques() const
       {

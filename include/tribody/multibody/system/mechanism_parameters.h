@@ -19,14 +19,22 @@ namespace Tribody
     /// Everything that defines a mechanism, by names.
     struct MechanismParameters
     {
-      GroundParameters                        ground;
-      std::vector<BodyParameters>             bodies;
-      std::vector<JointParameters>            joints;
-      std::vector<SpringParameters>           springs;
+      /// The frame and its markers, the "ground" of joints and springs.
+      GroundParameters ground;
+      /// At least one; numbered in this order.
+      std::vector<BodyParameters> bodies;
+      /// Including those with clearance.
+      std::vector<JointParameters> joints;
+      /// Between two markers.
+      std::vector<SpringParameters> springs;
+      /// Between two bodies.
       std::vector<RotationalSpringParameters> rotational_springs;
-      std::vector<DriverParameters>           drivers;
-      std::vector<ForceParameters>            forces;
-      std::vector<TorqueParameters>           torques;
+      /// A turn of the first one is the period of the motion.
+      std::vector<DriverParameters> drivers;
+      /// Given functions of time, at markers.
+      std::vector<ForceParameters> forces;
+      /// Given functions of time, between two bodies.
+      std::vector<TorqueParameters> torques;
       /// Acceleration of gravity [m/s^2].
       dealii::Point<2> gravity;
 

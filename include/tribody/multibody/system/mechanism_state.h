@@ -16,8 +16,9 @@ namespace Tribody
     {
       /// Time [s].
       double time = 0.;
-      /// Coordinates [m, rad] and velocities [m/s, rad/s].
+      /// Coordinates [m, rad].
       Eigen::VectorXd q;
+      /// Velocities [m/s, rad/s].
       Eigen::VectorXd v;
       /// Approach speed at which the present or last contact of each clearance
       /// joint began [m/s].
