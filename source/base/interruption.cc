@@ -24,6 +24,7 @@ namespace Tribody
   void
   watch_for_interruption()
   {
+    interrupted = 0;
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
   }

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Tribody
@@ -147,6 +148,8 @@ namespace Tribody
     void
     ElasticJoint::update_compliance()
     {
+      // Of no depth, until it is complete.
+      depth_at_compliance.setConstant(std::numeric_limits<double>::quiet_NaN());
       elasticity.reinit(geometry.mapping());
       Eigen::MatrixXd C = bushing_compliance();
       if (has_elastic_pin())

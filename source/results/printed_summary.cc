@@ -340,9 +340,9 @@ namespace Tribody
                 : "Results after " +
                     std::to_string(std::lround(results.state.cycles)) +
                     " cycles")
-          << (results.message.empty() ? ""
-                                      : " (" + to_string(results.status) +
-                                          ": " + results.message + ")")
+          << (results.message.empty()
+                ? ""
+                : " (" + name_of(results.status) + ": " + results.message + ")")
           << std::endl;
       if (is_dynamics_only)
         print_dynamics(out, results.state.duty_cycle);

@@ -70,8 +70,9 @@ namespace Tribody
     void
     RunRecorder::start()
     {
-      started_at          = std::chrono::steady_clock::now();
-      progress_printed_at = started_at;
+      started_at           = std::chrono::steady_clock::now();
+      progress_printed_at  = started_at;
+      processor_started_at = std::clock();
       if (!writes)
         return;
 
@@ -94,6 +95,15 @@ namespace Tribody
     RunRecorder::wall_time() const
     {
       return seconds_since(started_at);
+    }
+
+
+
+    double
+    RunRecorder::cpu_time() const
+    {
+      return static_cast<double>(std::clock() - processor_started_at) /
+             CLOCKS_PER_SEC;
     }
 
 
@@ -123,11 +133,13 @@ namespace Tribody
     double
     RunRecorder::next_output() const
     {
+      // With more outputs than cycles some of them coincide.
       const double interval =
         static_cast<double>(parameters.cycles) / (parameters.n_outputs - 1);
-      return n_outputs + 1 < parameters.n_outputs
-               ? std::round(n_outputs * interval)
-               : parameters.cycles;
+      for (unsigned int n = n_outputs; n + 1 < parameters.n_outputs; ++n)
+        if (const double at = std::round(n * interval); at > last_output_at)
+          return at;
+      return parameters.cycles;
     }
 
 

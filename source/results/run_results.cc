@@ -152,22 +152,6 @@ namespace Tribody
 
 
 
-    std::string
-    to_string(const RunStatus status)
-    {
-      switch (status)
-        {
-          case RunStatus::completed:
-            return "completed";
-          case RunStatus::stopped:
-            return "stopped";
-          default: // RunStatus::failed
-            return "failed";
-        }
-    }
-
-
-
     const BushingResults *
     RunResults::bushing(const std::string &name) const
     {

@@ -232,7 +232,7 @@ namespace Tribody
                      {"git", program_revision()},
                      {"libraries", library_versions()}}},
                    {"case", parameters.title},
-                   {"status", to_string(results.status)},
+                   {"status", name_of(results.status)},
                    {"message", results.message},
                    {"cycles", state.cycles},
                    {"wall_time_s", results.wall_time},

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <map>
 #include <memory>
@@ -62,6 +61,23 @@ namespace Tribody
         return clearances;
       }
 
+      // What the contacts need of the duty cycle, so that no rounding lets the
+      // ranks drift apart.
+      void
+      take_forces_of_first_rank(Multibody::DutyCycle &cycle,
+                                const MPI_Comm       &communicator)
+      {
+        for (Multibody::JointDutyCycle &joint : cycle.joints)
+          for (Eigen::VectorXd *field : {&joint.normal_force,
+                                         &joint.contact_angle_bushing,
+                                         &joint.contact_angle_pin,
+                                         &joint.sliding_increment,
+                                         &joint.sliding_speed})
+            Ranks::broadcast(*field, 0, communicator);
+      }
+
+
+
       // Unworn. If a mesh is to be as fine as the contact wants it, a cycle of
       // the dynamics says how large that is.
       std::deque<WearingBushing>
@@ -80,8 +96,13 @@ namespace Tribody
                       });
         Multibody::DutyCycle first_cycle;
         if (needs_forces)
-          first_cycle = dynamics.run(make_unworn_clearances(parameters),
-                                     make_unworn_supports(parameters));
+          {
+            Ranks::run_together(communicator, [&]() {
+              first_cycle = dynamics.run(make_unworn_clearances(parameters),
+                                         make_unworn_supports(parameters));
+            });
+            take_forces_of_first_rank(first_cycle, communicator);
+          }
         for (const BushingParameters &bushing : parameters.bushings)
           {
             const Multibody::JointParameters &joint =
@@ -97,23 +118,6 @@ namespace Tribody
                                   communicator);
           }
         return bushings;
-      }
-
-
-
-      // What the contacts need of the duty cycle, so that no rounding lets the
-      // ranks drift apart.
-      void
-      take_forces_of_first_rank(Multibody::DutyCycle &cycle,
-                                const MPI_Comm       &communicator)
-      {
-        for (Multibody::JointDutyCycle &joint : cycle.joints)
-          for (Eigen::VectorXd *field : {&joint.normal_force,
-                                         &joint.contact_angle_bushing,
-                                         &joint.contact_angle_pin,
-                                         &joint.sliding_increment,
-                                         &joint.sliding_speed})
-            Ranks::broadcast(*field, 0, communicator);
       }
     } // namespace
 
@@ -233,10 +237,10 @@ namespace Tribody
     WearSimulation::results() const
     {
       RunResults results = make_run_results(process);
-      results.status     = !state().stopped_by.empty() ? RunStatus::stopped
-                           : is_over()                 ? RunStatus::completed
-                                                       : RunStatus::failed;
-      results.message    = state().stopped_by;
+      if (is_over())
+        results.status = state().stopped_by.empty() ? RunStatus::completed
+                                                    : RunStatus::stopped;
+      results.message = state().stopped_by;
       return results;
     }
 
@@ -253,14 +257,16 @@ namespace Tribody
       try
         {
           run_cycles(recorder);
-          results = is_over() ? conclude(directory,
-                                         recorder,
-                                         this->results().status,
-                                         state().stopped_by)
-                              : conclude(directory,
-                                         recorder,
-                                         RunStatus::stopped,
-                                         "interrupted by a signal");
+          const RunResults reached = this->results();
+          Ranks::run_together(communicator, [&]() {
+            results =
+              is_over()
+                ? conclude(directory, recorder, reached.status, reached.message)
+                : conclude(directory,
+                           recorder,
+                           RunStatus::stopped,
+                           "interrupted by a signal");
+          });
         }
       catch (const std::exception &exception)
         {
@@ -280,7 +286,9 @@ namespace Tribody
     void
     WearSimulation::run_cycles(RunRecorder &recorder)
     {
-      start();
+      // A state that was restored has its motion and contacts.
+      if (state().duty_cycle.joints.empty())
+        start();
       recorder.record(state(), process.bushings());
       while (!is_over())
         {
@@ -336,7 +344,7 @@ namespace Tribody
       results.status     = status;
       results.message    = message;
       results.wall_time  = recorder.wall_time();
-      results.cpu_time   = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+      results.cpu_time   = recorder.cpu_time();
       dealii::Utilities::System::MemoryStats memory;
       dealii::Utilities::System::get_memory_stats(memory);
       results.peak_memory_bytes = 1024. * memory.VmHWM;

@@ -35,7 +35,16 @@ namespace Tribody
     void
     WearProcess::restore(const RunState &state)
     {
-      AssertDimension(state.joints.size(), joint_bushings.size());
+      bool fits = state.joints.size() == joint_bushings.size();
+      for (std::size_t j = 0; fits && j < joint_bushings.size(); ++j)
+        fits =
+          state.joints[j].depth.size() == run_state.joints[j].depth.size() &&
+          state.joints[j].depth_at_compliance.size() ==
+            run_state.joints[j].depth_at_compliance.size();
+      AssertThrow(fits,
+                  ExcRun(
+                    "The state is not one of these bushings: their number, "
+                    "or that of their nodes, differs."));
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         joint_bushings[j].restore(state.joints[j].depth,
                                   state.joints[j].depth_at_compliance);
@@ -113,17 +122,37 @@ namespace Tribody
     void
     WearProcess::take_step(const double end)
     {
-      const WearStep step = jump->advance(run_state, end);
-      shape_bushings(step);
+      const StepperState before = run_state.stepper;
+      WearStep           step;
+      try
+        {
+          step = jump->advance(run_state, end);
+          for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+            joint_bushings[j].set_depth(step.depths[j]);
+        }
+      catch (...)
+        {
+          // Whatever it is: other ranks are told that a run has failed.
+          run_state.stepper = before;
+          restore(run_state);
+          throw;
+        }
 
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         {
           const WearingBushing            &bushing = joint_bushings[j];
           const Multibody::JointDutyCycle &cycle =
             run_state.duty_cycle.joint(bushing.name());
+          JointState            &joint = run_state.joints[j];
+          const Eigen::VectorXd &built = bushing.depth_at_compliance();
+          if (built != joint.depth_at_compliance)
+            ++run_state.counts.compliance_builds;
+          joint.depth               = step.depths[j];
+          joint.depth_at_compliance = built;
+
           const double distance =
             (step.cycles - run_state.cycles) * cycle.sliding_distance();
-          JointTotals &totals = run_state.joints[j].totals;
+          JointTotals &totals = joint.totals;
           totals.sliding_distance += distance;
           totals.force_over_sliding += distance * cycle.mean_normal_force();
           const std::vector<WearingSurface> surfaces = bushing.surfaces();
@@ -137,33 +166,6 @@ namespace Tribody
         run_state.stopped_by = stop_conditions.describe(*step.reached);
       count_rate_evaluations(step.n_rate_evaluations);
       ++run_state.counts.wear_steps;
-    }
-
-
-
-    void
-    WearProcess::shape_bushings(const WearStep &step)
-    {
-      try
-        {
-          for (std::size_t j = 0; j < joint_bushings.size(); ++j)
-            joint_bushings[j].set_depth(step.depths[j]);
-        }
-      catch (const ExcRun &)
-        {
-          restore(RunState(run_state));
-          throw;
-        }
-      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
-        {
-          JointState            &joint = run_state.joints[j];
-          const Eigen::VectorXd &built =
-            joint_bushings[j].depth_at_compliance();
-          if (built != joint.depth_at_compliance)
-            ++run_state.counts.compliance_builds;
-          joint.depth               = step.depths[j];
-          joint.depth_at_compliance = built;
-        }
     }
 
 

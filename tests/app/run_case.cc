@@ -7,7 +7,12 @@
 // the mean of the force in reference/<name of the test>_peak_mean.csv and the
 // parts of the wear in reference/<name of the test>_lobes.csv. If
 // reference/<name of the test>_forces.csv exists, the forces of all joints are
-// compared with an earlier run's there, instead of printed.
+// compared with an earlier run's there, instead of printed. If
+// beside/<name of the test>.prm exists, that is run too, and the differences of
+// the crank pin's results are compared with what beside/<name of the test>.csv
+// expects; reference/<name of the test>_peak_pressure.csv has the largest
+// pressure of a closed form. A run of one cycle tells its pressure instead of
+// its wear.
 
 #include <deal.II/base/mpi.h>
 
@@ -32,7 +37,8 @@
 using namespace Tribody;
 using namespace Tribody::Coupling;
 
-// The column @p name of a CSV file, its comment lines skipped.
+// The column @p name of a CSV file, its comment lines skipped; empty if there
+// is none.
 std::vector<double>
 read_column(const std::string &file_name, const std::string &name)
 {
@@ -54,13 +60,17 @@ read_column(const std::string &file_name, const std::string &name)
           continue;
         }
       const auto column = std::find(header.begin(), header.end(), name);
+      if (column == header.end())
+        return {};
       values.push_back(std::stod(cells.at(column - header.begin())));
     }
   return values;
 }
 
 void
-compare_forces(const std::string &reference, const std::string &duty_cycle)
+compare_forces(const std::string &reference,
+               const std::string &duty_cycle,
+               const bool         ideal)
 {
   const auto            phases = read_column(duty_cycle, "phase [deg]");
   const auto            forces = read_column(duty_cycle, "force [N]");
@@ -78,8 +88,10 @@ compare_forces(const std::string &reference, const std::string &duty_cycle)
                                   expected[i] -
                                 1.));
   std::cout << "  reference: " << angles.size()
-            << " angles; forces right to 1e-2: " << (largest < 1e-2)
-            << ", to 1e-6: " << (largest < 1e-6) << std::endl;
+            << " angles; forces right to 1e-2: " << (largest < 1e-2);
+  if (ideal)
+    std::cout << ", to 1e-6: " << (largest < 1e-6);
+  std::cout << std::endl;
 }
 
 // Beside row @p number of @p recorded, if there is that file. A whole run, wear
@@ -169,9 +181,73 @@ print_bushing(const BushingResults &results,
       << " %" << std::endl;
   const double balance = bushing.volume_balance_relative_error;
   std::cout << "  volume balance below 1e-3: " << (balance < 1e-3)
-            << ", below 1e-6: " << (balance < 1e-6)
-            << ", oscillation below 1e-2: " << (results.mesh_oscillation < 1e-2)
-            << ", losses of contact: " << contact_losses << std::endl;
+            << ", below 1e-6: " << (balance < 1e-6);
+  // Arcs of contact of few nodes, as in stiff bushings or under small forces,
+  // do not keep it.
+  if (contact.at_peak_force().active_set.size() > 20)
+    std::cout << ", oscillation below 1e-2: "
+              << (results.mesh_oscillation < 1e-2);
+  std::cout << ", losses of contact: " << contact_losses << std::endl;
+}
+
+// Of a run of one cycle, beside a closed form if there is one.
+void
+print_pressure(const CycleContact &contact, const std::string &reference)
+{
+  const double pressure = 1e-6 * contact.max_pressure;
+  std::cout << std::setprecision(3) << "  largest pressure " << pressure
+            << " MPa, half-angle " << std::setprecision(0)
+            << Units::degrees(contact.at_peak_force().half_angle) << " deg"
+            << std::endl;
+  if (!std::filesystem::exists(reference))
+    return;
+  const double expected  = read_column(reference, "pressure [MPa]").at(0);
+  const double tolerance = read_column(reference, "tolerance [-]").at(0);
+  std::cout << "  closed form: within its tolerance "
+            << (std::abs(pressure / expected - 1.) < tolerance) << std::endl;
+}
+
+// How much a quantity differs from that of the run beside, relative to it,
+// against what @p expectations have.
+void
+compare_difference(const char        *quantity,
+                   const double       value,
+                   const double       beside,
+                   const std::string &expectations)
+{
+  const std::string name = quantity;
+  const auto difference  = read_column(expectations, name + "_difference [-]");
+  if (difference.empty())
+    return;
+  const double tolerance =
+    read_column(expectations, name + "_tolerance [-]").at(0);
+  std::cout << "  beside: difference of " << name << " as expected "
+            << (std::abs(value / beside - 1. - difference.at(0)) <= tolerance)
+            << std::endl;
+}
+
+void
+compare_beside(const RunResults  &results,
+               const RunResults  &other,
+               const std::string &expectations)
+{
+  const Multibody::JointDutyCycle &a =
+    results.state.duty_cycle.joint("crank_pin");
+  const Multibody::JointDutyCycle &b =
+    other.state.duty_cycle.joint("crank_pin");
+  compare_difference("peak_force",
+                     a.peak_force(),
+                     b.peak_force(),
+                     expectations);
+  compare_difference("mean_force",
+                     a.mean_force(),
+                     b.mean_force(),
+                     expectations);
+  if (!results.bushings.empty())
+    compare_difference("pressure",
+                       results.state.joints[0].contact.max_pressure,
+                       other.state.joints[0].contact.max_pressure,
+                       expectations);
 }
 
 // Of a pin that wears, beside its last profile.
@@ -226,14 +302,19 @@ print_joint(const std::size_t  j,
   print_forces(joint, reference + "_forces.csv", j);
   if (is_given(reference + ".csv"))
     compare_forces(reference + ".csv",
-                   directory + "/crank_pin/duty_cycle_0000.csv");
+                   directory + "/crank_pin/duty_cycle_0000.csv",
+                   !joint.has_gap);
   if (is_given(reference + "_peak_mean.csv"))
     compare_peak_and_mean(reference + "_peak_mean.csv", joint);
   if (const BushingResults *bushing = results.bushing(joint.name))
     {
-      print_bushing(*bushing,
-                    results.state,
-                    results.state.dynamics.contact_losses[j]);
+      if (results.state.cycles > 1.)
+        print_bushing(*bushing,
+                      results.state,
+                      results.state.dynamics.contact_losses[j]);
+      else
+        print_pressure(results.state.joints[bushing->number].contact,
+                       reference + "_peak_pressure.csv");
       if (bushing->pin)
         print_pin(*bushing->pin,
                   bushing->bushing,
@@ -244,6 +325,23 @@ print_joint(const std::size_t  j,
                   directory + "/crank_pin/profile_0002.csv");
 }
 
+// The program's own words carry times; they are not compared.
+RunResults
+run(const std::string &prm, const std::string &directory)
+{
+  // All ranks run the case, the first one tells.
+  const bool is_first_rank =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  if (is_first_rank)
+    std::filesystem::remove_all(directory);
+  std::ostringstream      screen;
+  Console                 console(screen, is_first_rank);
+  const CaseParameters    parameters = read_case(prm, {});
+  WearSimulation          simulation(parameters, console, MPI_COMM_WORLD);
+  Output::OutputDirectory output(directory, MPI_COMM_WORLD);
+  return simulation.run(output);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -251,32 +349,24 @@ main(int argc, char **argv)
 
   const std::string name      = std::filesystem::path(argv[1]).stem();
   const std::string directory = name + ".results";
-  // All ranks run the case, the first one tells.
-  const bool is_first_rank =
-    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  if (is_first_rank)
-    std::filesystem::remove_all(directory);
-
-  // The program's own words carry times; they are not compared.
-  std::ostringstream screen;
-  RunResults         results;
+  const std::string beside    = std::string(SOURCE_DIR) + "/beside/" + name;
+  RunResults        results, other;
+  const bool        has_other = std::filesystem::exists(beside + ".prm");
   try
     {
-      Console                 console(screen, is_first_rank);
-      const CaseParameters    parameters = read_case(argv[1], {});
-      WearSimulation          simulation(parameters, console, MPI_COMM_WORLD);
-      Output::OutputDirectory output(directory, MPI_COMM_WORLD);
-      results = simulation.run(output);
+      results = run(argv[1], directory);
+      if (has_other)
+        other = run(beside + ".prm", name + ".beside");
     }
   catch (const dealii::ExceptionBase &exception)
     {
       return Ranks::fail(message_of(exception), 1, MPI_COMM_WORLD);
     }
-  if (!is_first_rank)
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
     return 0;
 
   const RunState &state = results.state;
-  std::cout << std::fixed << std::setprecision(1) << to_string(results.status)
+  std::cout << std::fixed << std::setprecision(1) << name_of(results.status)
             << " " << state.cycles << " cycles in " << state.counts.wear_steps
             << " wear steps; drift below "
             << "1e-8 m: " << (state.dynamics.constraint_drift < 1e-8)
@@ -289,4 +379,6 @@ main(int argc, char **argv)
                 results,
                 std::string(SOURCE_DIR) + "/reference/" + name,
                 directory);
+  if (has_other)
+    compare_beside(results, other, beside + ".csv");
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Where a run stands is one value. Known by construction, to the bit:
-// - Two different cases that go on in turn in one process get what each gets
+// - Two different cases, of one wearing joint and of three, that go on in turn
+// in one process get what each gets
 //   alone.
 // - From a state that was copied in mid-run, the same simulation, gone on and
 //   set back, and another one, which has come nowhere by itself, end where the
 //   first one did: implicit steps, explicit ones, and with finite elements
-//   inside the dynamics.
+//   inside the dynamics. So does WearSimulation::run() on such a state.
 // The copy is taken after the compliance has been renewed and the profile has
 // moved on, so that both lags are in it.
 
@@ -14,6 +15,7 @@
 
 #include <tribody/base/console.h>
 #include <tribody/case/case_parameters.h>
+#include <tribody/output/output_directory.h>
 #include <tribody/run/wear_simulation.h>
 
 #include <algorithm>
@@ -28,11 +30,14 @@ using namespace Tribody::Coupling;
 namespace
 {
   CaseParameters
-  read(const std::vector<std::string> &overrides)
+  read(const std::vector<std::string> &overrides,
+       const std::string              &name = "quickstart")
   {
-    std::vector<std::string> all = {"Bushing crank_pin/Mesh/Bore cells=36"};
+    std::vector<std::string> all;
+    if (name == "quickstart")
+      all = {"Bushing crank_pin/Mesh/Bore cells=36"};
     all.insert(all.end(), overrides.begin(), overrides.end());
-    return read_case(std::string(SOURCE_DIR) + "/../../prm/quickstart.prm",
+    return read_case(std::string(SOURCE_DIR) + "/../../prm/" + name + ".prm",
                      all);
   }
 
@@ -43,7 +48,7 @@ namespace
     explicit Run(const CaseParameters &parameters)
       : console(screen)
       , end(parameters.cycles)
-      , simulation(parameters, console, MPI_COMM_SELF)
+      , simulation(parameters, console, MPI_COMM_WORLD)
     {}
 
     void
@@ -64,14 +69,94 @@ namespace
 
   constexpr unsigned int many = 1000;
 
+
+
+  /// On the first rank.
+  std::ostream &
+  say()
+  {
+    static std::ostringstream nowhere;
+    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0
+             ? std::cout
+             : nowhere;
+  }
+
+
+
+  bool
+  agree(const StepperState &a, const StepperState &b)
+  {
+    bool same = a.rate == b.rate && a.max_step == b.max_step &&
+                a.extrapolation.proposal == b.extrapolation.proposal &&
+                a.extrapolation.slope == b.extrapolation.slope &&
+                a.max_stable_step == b.max_stable_step &&
+                a.stable_step_builds == b.stable_step_builds &&
+                a.contacts.size() == b.contacts.size() &&
+                a.rates_taken.size() == b.rates_taken.size();
+    for (std::size_t j = 0; same && j < a.rates_taken.size(); ++j)
+      same = a.rates_taken[j].wear_rate == b.rates_taken[j].wear_rate &&
+             a.rates_before[j].wear_rate == b.rates_before[j].wear_rate;
+    return same;
+  }
+
+
+
+  bool
+  agree(const CycleContact &a, const CycleContact &b)
+  {
+    bool same = a.samples.size() == b.samples.size() &&
+                a.peak_pressure == b.peak_pressure &&
+                a.wear_rate == b.wear_rate && a.removed_area == b.removed_area;
+    for (std::size_t s = 0; same && s < a.samples.size(); ++s)
+      same = a.samples[s].nodal_force == b.samples[s].nodal_force &&
+             a.samples[s].active_set == b.samples[s].active_set;
+    return same;
+  }
+
+
+
+  bool
+  agree(const JointTotals &a, const JointTotals &b)
+  {
+    bool same = a.depth_error == b.depth_error &&
+                a.sliding_distance == b.sliding_distance &&
+                a.force_over_sliding == b.force_over_sliding;
+    for (std::size_t i = 0; i < a.surfaces.size(); ++i)
+      same = same &&
+             a.surfaces[i].removed_volume == b.surfaces[i].removed_volume &&
+             a.surfaces[i].volume_error == b.surfaces[i].volume_error;
+    return same;
+  }
+
+
+
+  bool
+  agree(const Multibody::DutyCycle &a, const Multibody::DutyCycle &b)
+  {
+    bool same = a.coordinates == b.coordinates && a.velocities == b.velocities;
+    for (std::size_t j = 0; same && j < a.joints.size(); ++j)
+      same = a.joints[j].force_x == b.joints[j].force_x &&
+             a.joints[j].force_y == b.joints[j].force_y &&
+             a.joints[j].sliding_increment == b.joints[j].sliding_increment;
+    return same;
+  }
+
+
+
   bool
   agree(const RunState &a, const RunState &b)
   {
-    bool same = a.cycles == b.cycles && a.joints.size() == b.joints.size() &&
-                a.counts.wear_steps == b.counts.wear_steps &&
-                a.counts.rate_evaluations == b.counts.rate_evaluations &&
-                a.counts.dynamics_cycles == b.counts.dynamics_cycles &&
-                a.counts.compliance_builds == b.counts.compliance_builds;
+    bool same =
+      a.cycles == b.cycles && a.cycles_at_dynamics == b.cycles_at_dynamics &&
+      a.stopped_by == b.stopped_by && a.joints.size() == b.joints.size() &&
+      a.counts.wear_steps == b.counts.wear_steps &&
+      a.counts.rate_evaluations == b.counts.rate_evaluations &&
+      a.counts.dynamics_cycles == b.counts.dynamics_cycles &&
+      a.counts.contact_solves == b.counts.contact_solves &&
+      a.counts.compliance_builds == b.counts.compliance_builds &&
+      a.dynamics.contact_losses == b.dynamics.contact_losses &&
+      a.dynamics.constraint_drift == b.dynamics.constraint_drift &&
+      agree(a.duty_cycle, b.duty_cycle) && agree(a.stepper, b.stepper);
     for (std::size_t j = 0; same && j < a.joints.size(); ++j)
       {
         const JointState &x = a.joints[j];
@@ -80,11 +165,7 @@ namespace
         same = x.depth == y.depth &&
                x.depth_at_compliance == y.depth_at_compliance &&
                x.depth_at_dynamics == y.depth_at_dynamics &&
-               x.contact.peak_pressure == y.contact.peak_pressure &&
-               x.totals.depth_error == y.totals.depth_error &&
-               x.totals.sliding_distance == y.totals.sliding_distance &&
-               a.duty_cycle.joints[j].normal_force ==
-                 b.duty_cycle.joints[j].normal_force;
+               agree(x.contact, y.contact) && agree(x.totals, y.totals);
       }
     return same;
   }
@@ -122,13 +203,9 @@ namespace
   void
   test_interleaved()
   {
-    const CaseParameters first = read({"Cycles=2000"});
-    const CaseParameters second =
-      read({"Cycles=300",
-            "Wear/Extrapolation=constant",
-            "Joint crank_pin/Friction coefficient=0.2",
-            "Bushing crank_pin/Pin wear coefficient=1e-4 mm^3/(N m)"});
-    Run a(first), b(second);
+    const CaseParameters first  = read({"Cycles=2000"});
+    const CaseParameters second = read({"Cycles=300"}, "four_bar_three_joints");
+    Run                  a(first), b(second);
     a.simulation.start();
     b.simulation.start();
     while (!a.simulation.is_over() || !b.simulation.is_over())
@@ -136,10 +213,10 @@ namespace
         a.go_on(1);
         b.go_on(1);
       }
-    std::cout << "interleaved as alone: "
-              << (agree(a.simulation.state(), run_alone(first)) &&
-                  agree(b.simulation.state(), run_alone(second)))
-              << std::endl;
+    say() << "interleaved as alone: "
+          << (agree(a.simulation.state(), run_alone(first)) &&
+              agree(b.simulation.state(), run_alone(second)))
+          << std::endl;
   }
 
 
@@ -161,13 +238,30 @@ namespace
     Run other(parameters);
     other.simulation.restore(copy);
     other.go_on(many);
-    std::cout << what << ": left something to do "
-              << (end.counts.wear_steps > copy.counts.wear_steps)
-              << ", set back " << agree(run.simulation.state(), end)
-              << ", taken over " << agree(other.simulation.state(), end)
-              << std::endl;
+    say() << what << ": left something to do "
+          << (end.counts.wear_steps > copy.counts.wear_steps) << ", set back "
+          << agree(run.simulation.state(), end) << ", taken over "
+          << agree(other.simulation.state(), end) << std::endl;
   }
 } // namespace
+
+// The steps of run() end where outputs are due: here at the last cycle.
+void
+test_run_from_state()
+{
+  const CaseParameters parameters =
+    read({"Cycles=3000", "Output/Number of outputs=2"});
+  Run whole(parameters), rest(parameters);
+  whole.simulation.start();
+  whole.simulation.advance(whole.end);
+  rest.simulation.restore(whole.simulation.state());
+  while (!whole.simulation.is_over())
+    whole.simulation.advance(whole.end);
+  Output::OutputDirectory directory("run_state_01.results", MPI_COMM_WORLD);
+  const RunResults        results = rest.simulation.run(directory);
+  say() << "run() on a state: "
+        << agree(results.state, whole.simulation.state()) << std::endl;
+}
 
 int
 main(int argc, char **argv)
@@ -182,4 +276,5 @@ main(int argc, char **argv)
   test_copy("one-shot rates kept",
             {"Cycles=5000", "Wear/Extrapolation=one-shot"});
   test_copy("coupled", {"Cycles=3000", "Wear/Scheme=coupled"});
+  test_run_from_state();
 }

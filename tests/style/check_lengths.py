@@ -17,6 +17,7 @@ from offences import Offences, find_files, read_lines
 
 MAX_CLASS, MAX_FUNCTION = 300, 80
 
+TEMPLATE = re.compile(r"\s*template <.*?>\s*(?=class|struct)")
 CLASS = re.compile(r"\s*(?:class|struct)\s+([\w:]+)")
 NO_FUNCTION = re.compile(r"\s*(?:namespace|class|struct|union|enum|extern)\b")
 
@@ -49,6 +50,7 @@ def definitions(path):
         if line.strip() != "{" or opening <= skip_until:
             continue
         head, first = head_of(lines, opening)
+        head = TEMPLATE.sub("", head)
         end = closing_line(lines, opening)
         name = CLASS.match(head)
         if name and "(" not in head.split(":")[0]:

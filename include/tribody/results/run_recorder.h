@@ -11,6 +11,7 @@
 #include <tribody/stepping/run_state.h>
 
 #include <chrono>
+#include <ctime>
 #include <deque>
 #include <memory>
 #include <mpi.h>
@@ -61,6 +62,10 @@ namespace Tribody
       double
       wall_time() const;
 
+      /// Processor time of this rank since start() [s].
+      double
+      cpu_time() const;
+
     private:
       void
       open_history();
@@ -107,6 +112,7 @@ namespace Tribody
       std::vector<std::vector<std::pair<double, std::string>>> vtu_files;
 
       std::chrono::steady_clock::time_point started_at;
+      std::clock_t                          processor_started_at = 0;
       std::chrono::steady_clock::time_point progress_printed_at;
     };
   } // namespace Coupling

@@ -3,6 +3,7 @@
 #ifndef tribody_results_run_results_h
 #define tribody_results_run_results_h
 
+#include <tribody/base/choice.h>
 #include <tribody/stepping/run_state.h>
 #include <tribody/stepping/wear_process.h>
 
@@ -70,22 +71,30 @@ namespace Tribody
 
     /// How a run ended: after its last cycle, at a stop condition, or by an
     /// error.
+    /// How far a run has come.
     enum class RunStatus
     {
+      running,
       completed,
       stopped,
       failed
     };
 
-    /// "completed", "stopped" or "failed".
-    std::string
-    to_string(const RunStatus status);
+    /// Their words, see ChoiceNames.
+    inline ChoiceNames<RunStatus>
+    choice_names(const RunStatus)
+    {
+      return {{RunStatus::running, "running"},
+              {RunStatus::completed, "completed"},
+              {RunStatus::stopped, "stopped"},
+              {RunStatus::failed, "failed"}};
+    }
 
     /// What a run has come to. A plain value.
     struct RunResults
     {
       /// Until a run has ended well it counts as failed.
-      RunStatus status = RunStatus::failed;
+      RunStatus status = RunStatus::running;
       /// Why it did not complete; empty otherwise.
       std::string message;
       double      wall_time         = 0.; ///< [s]

@@ -70,7 +70,9 @@ namespace Tribody
         return process.state();
       }
 
-      /// Go on from @p state, of a simulation with the same parameters.
+      /// Go on from @p state, of a simulation with the same parameters on as
+      /// many ranks: each rank holds its share of the samples. All ranks must
+      /// call this together.
       /// @throws ExcRun with 'Mesh error estimate = whole run', whose state is
       ///   not in there.
       void

@@ -125,7 +125,8 @@ namespace Tribody
     /**
      * Where a run stands; with the parameters it is all that the rest follows
      * from. A plain value: a copy can be kept, and gone on with
-     * (WearProcess::restore()).
+     * (WearProcess::restore()). On several ranks each has its own share of the
+     * samples of a contact; all else is the same.
      */
     struct RunState
     {

@@ -56,7 +56,9 @@ namespace Tribody
 
       /// Go on from @p state, which another process of the same parameters has
       /// come to, or this one before.
-      /// @throws ExcRun if its geometry cannot be meshed.
+      /// Not between take_step() and complete_step(); all ranks together.
+      /// @throws ExcRun if it does not fit these bushings, or its geometry
+      ///   cannot be meshed.
       void
       restore(const RunState &state);
 
@@ -103,10 +105,6 @@ namespace Tribody
       }
 
     private:
-      /// Let the bushings have the depths of @p step.
-      void
-      shape_bushings(const WearStep &step);
-
       void
       count_rate_evaluations(const unsigned int n);
 
