@@ -19,6 +19,7 @@
 #include <vector>
 
 using namespace Tribody;
+using namespace Tribody::Contact;
 
 Eigen::MatrixXd
 random_matrix(const Eigen::Index n_rows, const Eigen::Index n_columns)
