@@ -5,6 +5,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
+#include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 #include <tribody/bushing/bushing_mesh.h>
 #include <tribody/bushing/bushing_parameters.h>
@@ -305,7 +306,9 @@ namespace Tribody
               Units::to_string(limits[i], limit.si_unit, limit.shown_unit) +
                 " is passed before any wear: the " + limit.quantity +
                 " of the new joint is " +
-                Units::to_string(unworn, limit.si_unit, limit.shown_unit) +
+                Units::to_string(std::stod(significant_digits(unworn, 6)),
+                                 limit.si_unit,
+                                 limit.shown_unit) +
                 ". Set a larger limit, or 0 for none"));
         }
     }

@@ -291,6 +291,7 @@ print_energy_balance(const double error)
 
 void
 print_joint(const std::size_t  j,
+            const std::size_t  row,
             const RunResults  &results,
             const std::string &reference,
             const std::string &directory)
@@ -299,7 +300,7 @@ print_joint(const std::size_t  j,
   const auto is_given                    = [&](const std::string &file_name) {
     return joint.name == "crank_pin" && std::filesystem::exists(file_name);
   };
-  print_forces(joint, reference + "_forces.csv", j);
+  print_forces(joint, reference + "_forces.csv", row);
   if (is_given(reference + ".csv"))
     compare_forces(reference + ".csv",
                    directory + "/crank_pin/duty_cycle_0000.csv",
@@ -374,8 +375,14 @@ main(int argc, char **argv)
             << std::noboolalpha << std::endl;
   if (state.duty_cycle.energy.cycle.has_work)
     print_energy_balance(state.duty_cycle.energy.relative_error);
+  // In the order of their names.
+  std::map<std::string, std::size_t> number_of;
   for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
+    number_of[state.duty_cycle.joints[j].name] = j;
+  std::size_t n_printed = 0;
+  for (const auto &[joint_name, j] : number_of)
     print_joint(j,
+                n_printed++,
                 results,
                 std::string(SOURCE_DIR) + "/reference/" + name,
                 directory);
