@@ -161,7 +161,8 @@ compare_lobes(const std::string &reference, const std::string &profile)
 void
 print_bushing(const BushingResults &results,
               const RunState       &state,
-              const unsigned int    contact_losses)
+              const unsigned int    contact_losses,
+              const bool            is_soft)
 {
   const SurfaceResults &bushing = results.bushing;
   const CycleContact   &contact = state.joints[results.number].contact;
@@ -182,9 +183,9 @@ print_bushing(const BushingResults &results,
   const double balance = bushing.volume_balance_relative_error;
   std::cout << "  volume balance below 1e-3: " << (balance < 1e-3)
             << ", below 1e-6: " << (balance < 1e-6);
-  // Arcs of contact of few nodes, as in stiff bushings or under small forces,
-  // do not keep it.
-  if (contact.at_peak_force().active_set.size() > 20)
+  // Arcs of contact of few nodes, as under small forces, do not keep it, and
+  // bushings of steel do not.
+  if (is_soft && contact.at_peak_force().active_set.size() > 20)
     std::cout << ", oscillation below 1e-2: "
               << (results.mesh_oscillation < 1e-2);
   std::cout << ", losses of contact: " << contact_losses << std::endl;
@@ -312,7 +313,8 @@ print_joint(const std::size_t  j,
       if (results.state.cycles > 1.)
         print_bushing(*bushing,
                       results.state,
-                      results.state.dynamics.contact_losses[j]);
+                      results.state.dynamics.contact_losses[j],
+                      reference.find("/steel_") == std::string::npos);
       else
         print_pressure(results.state.joints[bushing->number].contact,
                        reference + "_peak_pressure.csv");
