@@ -158,11 +158,23 @@ compare_lobes(const std::string &reference, const std::string &profile)
     }
 }
 
+// Three joints whose arc of contact is a few nodes wide for part of the cycle
+// are known not to keep the bound of 1e-2, by up to seven times: a fault, not a
+// rule.
+bool
+must_be_smooth(const std::string &reference, const std::string &joint)
+{
+  const std::string name =
+    std::filesystem::path(reference).filename().string() + "/" + joint;
+  return name != "steel_wear/crank_pin" && name != "four_bar_three_joints/B" &&
+         name != "four_bar_three_joints/C";
+}
+
 void
 print_bushing(const BushingResults &results,
               const RunState       &state,
               const unsigned int    contact_losses,
-              const bool            is_soft)
+              const bool            must_be_smooth)
 {
   const SurfaceResults &bushing = results.bushing;
   const CycleContact   &contact = state.joints[results.number].contact;
@@ -183,9 +195,7 @@ print_bushing(const BushingResults &results,
   const double balance = bushing.volume_balance_relative_error;
   std::cout << "  volume balance below 1e-3: " << (balance < 1e-3)
             << ", below 1e-6: " << (balance < 1e-6);
-  // Arcs of contact of few nodes, as under small forces, do not keep it, and
-  // bushings of steel do not.
-  if (is_soft && contact.at_peak_force().active_set.size() > 20)
+  if (must_be_smooth)
     std::cout << ", oscillation below 1e-2: "
               << (results.mesh_oscillation < 1e-2);
   std::cout << ", losses of contact: " << contact_losses << std::endl;
@@ -314,7 +324,7 @@ print_joint(const std::size_t  j,
         print_bushing(*bushing,
                       results.state,
                       results.state.dynamics.contact_losses[j],
-                      reference.find("/steel_") == std::string::npos);
+                      must_be_smooth(reference, joint.name));
       else
         print_pressure(results.state.joints[bushing->number].contact,
                        reference + "_peak_pressure.csv");
