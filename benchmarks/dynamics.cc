@@ -18,7 +18,7 @@
 #include <tribody/case/case_parameters.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
-#include <tribody/multibody/motion/slow_motion_start.h>
+#include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
 

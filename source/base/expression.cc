@@ -81,6 +81,12 @@ namespace Tribody
   {
     if (read_number(text, constant))
       return;
+    AssertThrow(text.find("rand") == std::string::npos,
+                ExcParameter(path,
+                             "'" + text +
+                               "' asks for random numbers: the same file would "
+                               "give other results each time. A sum of sines "
+                               "of several frequencies may do"));
     const auto made = std::make_shared<Parser>();
     AssertThrow(
       parse(text, variables, made->function),

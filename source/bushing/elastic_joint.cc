@@ -53,9 +53,9 @@ namespace Tribody
       , cells_are_alike(parameters.cells_are_alike())
       , triangulation(
           make_bushing_mesh(parameters, joint.bushing_radius, communicator))
-      , allowed_change(
-          compliance_update *
+      , thinnest_wall(
           Elasticity::thinnest_wall(*triangulation, joint.bushing_radius))
+      , allowed_change(compliance_update * thinnest_wall)
       , geometry(*triangulation, parameters.element_degree, parameters.name)
       , elasticity(*triangulation,
                    parameters.element_degree,

@@ -9,6 +9,7 @@
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/case/case_parameters.h>
+#include <tribody/case/repetition.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/system/mechanism.h>
 
@@ -448,7 +449,9 @@ namespace Tribody
 
         // Markers and bodies that joints, springs and drivers refer to, and
         // whether the mechanism can be assembled.
-        const Multibody::Mechanism       mechanism(parameters.mechanism);
+        const Multibody::Mechanism mechanism(parameters.mechanism);
+        if (parameters.cycles > 0)
+          check_repetition(mechanism, parameters.dynamics);
         const Multibody::CycleSimulation simulation(mechanism,
                                                     parameters.dynamics);
       }

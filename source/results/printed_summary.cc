@@ -119,6 +119,12 @@ namespace Tribody
             << std::endl;
         if (results.number < state.mesh_errors.size())
           print_mesh_error(out, state.mesh_errors[results.number]);
+        const Strains    &strains = state.joints[results.number].totals.strains;
+        const std::string validity = describe(strains);
+        if (!validity.empty())
+          out << (strains.largest() > Strains::doubtful ? "    WARNING: "
+                                                        : "    note: ")
+              << validity << std::endl;
       }
 
 
@@ -289,6 +295,31 @@ namespace Tribody
 
 
 
+      // Those of the joint whose depth is known least, and of the volume.
+      void
+      print_errors(std::ostream &out, const RunResults &results)
+      {
+        const auto least_known =
+          std::max_element(results.bushings.begin(),
+                           results.bushings.end(),
+                           [](const auto &a, const auto &b) {
+                             return a.depth_relative_error() <
+                                    b.depth_relative_error();
+                           });
+        const DutyErrors &motion = least_known->duty_errors;
+        out << "  estimated error of the depth: " << std::setprecision(2)
+            << 100. * results.depth_relative_error() << " % ("
+            << least_known->name << ": wear steps "
+            << 100. * least_known->step_error() << " %, mesh "
+            << 100. * least_known->mesh_error << " %, samples "
+            << 100. * motion.sampling << " %, motion "
+            << 100. * (motion.inertia + motion.settling + motion.integration)
+            << " %); of the volume by the wear steps: "
+            << 100. * results.volume_relative_error() << " %" << std::endl;
+      }
+
+
+
       void
       print_warnings_and_costs(std::ostream     &out,
                                const bool        is_dynamics_only,
@@ -297,10 +328,7 @@ namespace Tribody
         const RunCounts      &counts   = results.state.counts;
         const DynamicsTotals &dynamics = results.state.dynamics;
         if (counts.wear_steps > 0)
-          out << "  estimated error by the wear steps: depth "
-              << std::setprecision(2) << 100. * results.depth_relative_error()
-              << " %, volume " << 100. * results.volume_relative_error() << " %"
-              << std::endl;
+          print_errors(out, results);
         if (is_dynamics_only)
           {
             if (!dynamics.settling_message.empty())
@@ -312,6 +340,9 @@ namespace Tribody
             if (!dynamics.all_settled)
               out << "  WARNING: not every duty cycle settled: "
                   << dynamics.settling_message << "." << std::endl;
+            else if (!dynamics.settling_message.empty())
+              out << "  note: the dynamics " << dynamics.settling_message << "."
+                  << std::endl;
             out << "  " << counts.wear_steps << " wear steps, "
                 << counts.dynamics_cycles << " cycles of dynamics, "
                 << counts.contact_solves << " contact problems, "

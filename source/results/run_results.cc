@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <tribody/base/exceptions.h>
+#include <tribody/base/significant_digits.h>
 #include <tribody/results/run_results.h>
 #include <tribody/wear/crescent.h>
 
@@ -95,9 +97,10 @@ namespace Tribody
       BushingResults
       compute_bushing_results(const WearingBushing            &bushing,
                               const std::size_t                number,
-                              const JointState                &joint,
+                              const RunState                  &state,
                               const Multibody::JointDutyCycle &cycle)
       {
+        const JointState                 &joint    = state.joints[number];
         const std::vector<WearingSurface> surfaces = bushing.surfaces();
 
         BushingResults results;
@@ -118,6 +121,11 @@ namespace Tribody
         results.clearance = bushing.largest_clearance(joint.depth);
         results.mesh_oscillation =
           Wear::mesh_oscillation(surfaces[0].part_of(joint.contact.wear_rate));
+        if (state.cycles > 0.)
+          results.duty_errors = joint.totals.duty_errors.over(state.cycles);
+        if (number < state.mesh_errors.size() &&
+            state.mesh_errors[number].covers_whole_run)
+          results.mesh_error = state.mesh_errors[number].wear_depth;
         return results;
       }
     } // namespace
@@ -126,6 +134,14 @@ namespace Tribody
 
     double
     BushingResults::depth_relative_error() const
+    {
+      return step_error() + mesh_error + duty_errors.sum();
+    }
+
+
+
+    double
+    BushingResults::step_error() const
     {
       double depth = bushing.max_wear_depth, error = bushing.depth_error;
       if (pin)
@@ -185,6 +201,48 @@ namespace Tribody
 
 
 
+    void
+    check_results(const RunResults &results)
+    {
+      constexpr double largest_volume_error = 0.01, largest_energy_error = 0.1;
+
+      for (const Multibody::JointDutyCycle &joint :
+           results.state.duty_cycle.joints)
+        AssertThrow(joint.force_x.allFinite() && joint.force_y.allFinite(),
+                    ExcRun("Joint " + joint.name +
+                           ": a force is not a finite number. Look at masses, "
+                           "expressions and tolerances"));
+      for (const BushingResults &bushing : results.bushings)
+        {
+          AssertThrow(results.state.joints[bushing.number].depth.allFinite(),
+                      ExcRun(
+                        "Bushing " + bushing.name +
+                        ": a depth is not a finite number. Look at the "
+                        "wear coefficient and at the forces of the joint"));
+          double error = bushing.bushing.volume_balance_relative_error;
+          if (bushing.pin)
+            error = std::max(error, bushing.pin->volume_balance_relative_error);
+          AssertThrow(error <= largest_volume_error,
+                      ExcRun("Bushing " + bushing.name +
+                             ": what the wear law has removed and what the "
+                             "surfaces have lost differ by " +
+                             significant_digits(100. * error, 3) +
+                             " %. Shorter wear steps or a finer mesh may "
+                             "help"));
+        }
+      const Multibody::EnergyHistory &energy = results.state.duty_cycle.energy;
+      AssertThrow(
+        !energy.cycle.has_work || energy.relative_error <= largest_energy_error,
+        ExcRun("The energies of the recorded cycle miss their balance "
+               "by " +
+               significant_digits(100. * energy.relative_error, 3) +
+               " % of the largest of them: the motion is not right. "
+               "Look for drivers or forces that jump, and for a "
+               "smaller 'Dynamics/Accuracy'"));
+    }
+
+
+
     RunResults
     make_run_results(const WearProcess &process)
     {
@@ -198,7 +256,7 @@ namespace Tribody
             results.bushings.push_back(compute_bushing_results(
               bushing,
               j,
-              joint,
+              process.state(),
               process.state().duty_cycle.joint(bushing.name())));
         }
       return results;

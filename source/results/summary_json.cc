@@ -7,6 +7,7 @@
 #include <tribody/base/version.h>
 #include <tribody/results/summary_json.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 
@@ -101,6 +102,21 @@ namespace Tribody
 
 
 
+      // The parts of the estimated error of the depth, relative.
+      Json
+      depth_errors_to_json(const BushingResults &bushing)
+      {
+        return {{"wear_steps", bushing.step_error()},
+                {"mesh", bushing.mesh_error},
+                {"samples", bushing.duty_errors.sampling},
+                {"inertia_of_following_pins", bushing.duty_errors.inertia},
+                {"settling", bushing.duty_errors.settling},
+                {"integration", bushing.duty_errors.integration},
+                {"sum", bushing.depth_relative_error()}};
+      }
+
+
+
       Json
       joint_to_json(const CaseParameters &parameters,
                     const RunResults     &results,
@@ -126,11 +142,19 @@ namespace Tribody
               Units::degrees(contact.at_peak_force().half_angle);
             json["volume_balance_relative_error"] =
               bushing->bushing.volume_balance_relative_error;
+            json["depth_error"] = depth_errors_to_json(*bushing);
+            const Strains &strains =
+              state.joints[bushing->number].totals.strains;
+            json["validity"] = {{"pressure_over_modulus", strains.pressure},
+                                {"penetration_over_wall", strains.displacement},
+                                {"message", describe(strains)}};
           }
         json["peak_force_N"]         = cycle.peak_force();
         json["peak_force_phase_deg"] = cycles.phase[cycle.peak_sample()];
         json["mean_force_N"]         = cycle.mean_force();
         json["residual_ringing"]     = cycle.residual_ringing;
+        if (cycles.is_quasi_static && cycle.has_gap)
+          json["neglected_inertia"] = cycle.neglected_inertia;
         if (cycle.mean_peak_force > 0.)
           {
             json["mean_peak_force_N"]      = cycle.mean_peak_force;
@@ -183,6 +207,22 @@ namespace Tribody
 
 
 
+      // Where the mesh is not followed for the whole run, its error is unknown.
+      std::string
+      covered_errors(const RunResults &results)
+      {
+        const auto &errors = results.state.mesh_errors;
+        const bool  covers_mesh =
+          !errors.empty() &&
+          std::all_of(errors.begin(), errors.end(), [](const MeshError &error) {
+            return error.covers_whole_run;
+          });
+        return std::string("wear steps, samples, motion") +
+               (covers_mesh ? ", mesh" : "");
+      }
+
+
+
       Json
       dynamics_to_json(const RunState &state)
       {
@@ -190,18 +230,19 @@ namespace Tribody
         const Multibody::SettlingReport      &settling   = cycle.settling;
         const Sundials::IntegratorStatistics &statistics = cycle.statistics;
 
-        Json json = {{"constraint_drift_m", state.dynamics.constraint_drift},
-                     {"settled", state.dynamics.all_settled},
-                     {"message", state.dynamics.settling_message},
-                     {"settling_relative_difference",
-                      settling.repeat_difference},
-                     {"settling_cycles", settling.n_cycles},
-                     {"averaged_cycles", settling.n_averaged_cycles},
-                     {"integration_steps", statistics.n_steps},
-                     {"integration_steps_in_cycle", cycle.n_steps_in_cycle},
-                     {"residual_evaluations", statistics.n_residuals},
-                     {"jacobian_evaluations", statistics.n_jacobians},
-                     {"restarts", statistics.n_restarts()}};
+        Json json = {
+          {"joint_motion", cycle.is_quasi_static ? "quasi-static" : "dynamic"},
+          {"constraint_drift_m", state.dynamics.constraint_drift},
+          {"settled", state.dynamics.all_settled},
+          {"message", state.dynamics.settling_message},
+          {"settling_relative_difference", settling.repeat_difference},
+          {"settling_cycles", settling.n_cycles},
+          {"averaged_cycles", settling.n_averaged_cycles},
+          {"integration_steps", statistics.n_steps},
+          {"integration_steps_in_cycle", cycle.n_steps_in_cycle},
+          {"residual_evaluations", statistics.n_residuals},
+          {"jacobian_evaluations", statistics.n_jacobians},
+          {"restarts", statistics.n_restarts()}};
         const Multibody::EnergyRecord &energy = cycle.energy.cycle;
         if (energy.has_work)
           {
@@ -251,7 +292,7 @@ namespace Tribody
                     {{"max_wear_depth_relative",
                       results.depth_relative_error()},
                      {"worn_volume_relative", results.volume_relative_error()},
-                     {"covers", "wear steps"},
+                     {"covers", covered_errors(results)},
                      {"mesh", mesh_errors_to_json(results)}}}};
       for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
         json["joints"][state.duty_cycle.joints[j].name] =

@@ -27,7 +27,8 @@ namespace Tribody
   {
     namespace
     {
-      // What 'Energy balance = without wear' means here.
+      // What 'Energy balance = without wear', 'Joint motion = automatic' and
+      // 'Sampling tolerance' mean here.
       Multibody::DynamicsParameters
       make_dynamics_parameters(const CaseParameters &parameters)
       {
@@ -36,6 +37,11 @@ namespace Tribody
           dynamics.energy_balance = parameters.cycles == 0
                                       ? Multibody::EnergyBalance::always
                                       : Multibody::EnergyBalance::never;
+        if (parameters.cycles > 0)
+          return dynamics;
+        dynamics.sampling_tolerance = 0.;
+        if (dynamics.joint_motion == Multibody::JointMotion::automatic)
+          dynamics.joint_motion = Multibody::JointMotion::dynamic;
         return dynamics;
       }
 
@@ -72,7 +78,12 @@ namespace Tribody
                                          &joint.contact_angle_bushing,
                                          &joint.contact_angle_pin,
                                          &joint.sliding_increment,
-                                         &joint.sliding_speed})
+                                         &joint.sliding_speed,
+                                         &joint.force_between,
+                                         &joint.angle_between,
+                                         &joint.sliding_halves,
+                                         &joint.eccentricity,
+                                         &joint.penetration})
             Ranks::broadcast(*field, 0, communicator);
       }
 
@@ -179,13 +190,32 @@ namespace Tribody
     {
       run_dynamics();
       solve_contacts();
+      if (needs_more_samples())
+        {
+          // Now the arcs of contact are known.
+          run_dynamics();
+          solve_contacts();
+        }
       if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
           !process.bushings().empty())
         on_coarse_meshes([this]() {
-          coarse_run =
-            std::make_unique<CoarseRun>(parameters.wear, process.bushings());
+          coarse_run = make_coarse_run();
           coarse_run->start(process);
         });
+    }
+
+
+
+    bool
+    WearSimulation::needs_more_samples() const
+    {
+      for (std::size_t j = 0; j < state().joints.size(); ++j)
+        if (state()
+              .duty_cycle.joint(process.bushings()[j].name())
+              .sampling_error(reach_of(state().joints[j].contact)) >
+            parameters.dynamics.sampling_tolerance)
+          return parameters.dynamics.sampling_tolerance > 0.;
+      return false;
     }
 
 
@@ -223,12 +253,21 @@ namespace Tribody
     void
     WearSimulation::restore(const RunState &state)
     {
-      AssertThrow(parameters.wear.mesh_error_estimate !=
-                    MeshErrorEstimate::whole_run,
-                  ExcRun("A run with 'Wear/Mesh error estimate = whole run' "
-                         "cannot be gone on with: the wear on the coarser mesh "
-                         "is not part of its state. Choose 'first cycle'."));
       process.restore(state);
+      coarse_run.reset();
+      if (!state.twin.empty())
+        {
+          coarse_run = make_coarse_run();
+          coarse_run->restore(state.twin.front(), state.mesh_errors);
+        }
+    }
+
+
+
+    std::unique_ptr<CoarseRun>
+    WearSimulation::make_coarse_run() const
+    {
+      return std::make_unique<CoarseRun>(parameters.wear, process.bushings());
     }
 
 
@@ -258,6 +297,7 @@ namespace Tribody
         {
           run_cycles(recorder);
           const RunResults reached = this->results();
+          Ranks::run_together(communicator, [&]() { check_results(reached); });
           Ranks::run_together(communicator, [&]() {
             results =
               is_over()
@@ -374,12 +414,14 @@ namespace Tribody
         {
           action();
           process.set_mesh_errors(coarse_run->mesh_errors());
+          process.set_twin(coarse_run->state());
         }
       catch (const ExcRun &exception)
         {
           // The run itself does not need it.
           coarse_run.reset();
           process.set_mesh_errors({});
+          process.set_twin({});
           console.out() << "WARNING: no estimate of the error of the mesh, as "
                            "the next coarser one fails: "
                         << message_of(exception) << std::endl;
@@ -424,17 +466,24 @@ namespace Tribody
           if (bushing.joint_parameters().needs_support())
             supports[bushing.name()] = bushing.make_support();
         }
+      Multibody::CycleSimulation::Arcs arcs;
+      for (std::size_t j = 0; j < state().joints.size(); ++j)
+        if (!state().joints[j].contact.samples.empty())
+          arcs[process.bushings()[j].name()] =
+            reach_of(state().joints[j].contact);
       Multibody::DutyCycle cycle;
       Ranks::run_together(communicator, [&]() {
-        cycle = dynamics.run(clearances, supports);
+        cycle = dynamics.run(clearances, supports, arcs);
       });
       take_forces_of_first_rank(cycle, communicator);
 
-      const bool had_settled = state().dynamics.settling_message.empty();
+      const std::string told = state().dynamics.settling_message;
       process.renew_duty_cycle(cycle);
       const std::string &message = state().dynamics.settling_message;
-      if (parameters.cycles > 0 && had_settled && !message.empty())
-        console.out() << "WARNING: dynamics " << message << "." << std::endl;
+      if (parameters.cycles > 0 && message != told)
+        console.out() << (state().dynamics.all_settled ? "Note: the dynamics "
+                                                       : "WARNING: dynamics ")
+                      << message << "." << std::endl;
     }
 
 

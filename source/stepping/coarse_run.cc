@@ -78,6 +78,26 @@ namespace Tribody
 
 
     void
+    CoarseRun::restore(const RunState               &state,
+                       const std::vector<MeshError> &errors_so_far)
+    {
+      twin.restore(state);
+      errors = errors_so_far;
+    }
+
+
+
+    std::vector<RunState>
+    CoarseRun::state() const
+    {
+      if (!follows_whole_run || twin.bushings().empty())
+        return {};
+      return {twin.state()};
+    }
+
+
+
+    void
     CoarseRun::follow(const WearProcess &run)
     {
       if (!follows_whole_run || twin.bushings().empty())

@@ -67,9 +67,10 @@ namespace Tribody
         "What is also computed on the next coarser mesh (half as many bore "
         "cells and layers, or one file refinement less) to see what the mesh "
         "does to the results: the largest pressure and the wear rate of the "
-        "first cycle, or the wear of the whole run too. The dynamics is not "
-        "repeated. The differences, which are larger than the errors, are in "
-        "summary.json.");
+        "first cycle, or the wear of the whole run too, which takes some ten "
+        "per cent longer. The dynamics is not repeated. The difference of the "
+        "depth, which is larger than its error, counts in the estimated error "
+        "if it is of the whole run.");
       Parameters::add_quantity(prm,
                                "Dynamics update",
                                dynamics_update,

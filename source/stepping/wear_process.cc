@@ -56,6 +56,9 @@ namespace Tribody
     void
     WearProcess::renew_duty_cycle(const Multibody::DutyCycle &cycle)
     {
+      for (const WearingBushing &bushing : joint_bushings)
+        check_pin_in_bore(bushing, cycle.joint(bushing.name()), cycle.time);
+      const bool was_quasi_static  = run_state.duty_cycle.is_quasi_static;
       run_state.duty_cycle         = cycle;
       run_state.cycles_at_dynamics = run_state.cycles;
       for (JointState &joint : run_state.joints)
@@ -64,14 +67,18 @@ namespace Tribody
       const Multibody::SettlingReport &settling = cycle.settling;
       run_state.counts.dynamics_cycles += settling.n_cycles;
       DynamicsTotals &totals = run_state.dynamics;
-      if (!settling.message.empty() && totals.settling_message.empty())
+      const bool      gave_up_following =
+        was_quasi_static && !run_state.duty_cycle.is_quasi_static;
+      if (!settling.message.empty() &&
+          (totals.settling_message.empty() || gave_up_following))
         {
           // Without wear, the results say it right away.
           std::ostringstream message;
           if (!joint_bushings.empty())
             message << "after " << run_state.cycles << " cycles: ";
           message << settling.message;
-          totals.settling_message = message.str();
+          totals.settling_message +=
+            (totals.settling_message.empty() ? "" : "; ") + message.str();
         }
       totals.constraint_drift =
         std::max(totals.constraint_drift, cycle.constraint_drift);
@@ -113,6 +120,11 @@ namespace Tribody
             run_state.duty_cycle.joint(joint_bushings[j].name()),
             joint.contact.samples.empty() ? nullptr : &joint.contact,
             joint.totals.sliding_distance);
+          joint.totals.strains.widen(compute_strains(
+            joint_bushings[j],
+            run_state.duty_cycle.joint(joint_bushings[j].name()),
+            joint.contact));
+          check_strains(joint.totals.strains, joint_bushings[j].name());
         }
       count_rate_evaluations(1);
     }
@@ -154,6 +166,15 @@ namespace Tribody
             (step.cycles - run_state.cycles) * cycle.sliding_distance();
           JointTotals &totals = joint.totals;
           totals.sliding_distance += distance;
+          const double     n_cycles = step.cycles - run_state.cycles;
+          const DutyErrors errors =
+            estimate_duty_errors(run_state.duty_cycle,
+                                 cycle,
+                                 reach_of(joint.contact));
+          totals.duty_errors.sampling += n_cycles * errors.sampling;
+          totals.duty_errors.inertia += n_cycles * errors.inertia;
+          totals.duty_errors.settling += n_cycles * errors.settling;
+          totals.duty_errors.integration += n_cycles * errors.integration;
           totals.force_over_sliding += distance * cycle.mean_normal_force();
           const std::vector<WearingSurface> surfaces = bushing.surfaces();
           for (std::size_t i = 0; i < surfaces.size(); ++i)

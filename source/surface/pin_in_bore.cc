@@ -86,6 +86,15 @@ namespace Tribody
 
 
 
+  bool
+  PinInBore::is_beyond_bore(const Eigen::Vector2d &e) const
+  {
+    return e.norm() > radius &&
+           e.norm() > radius + surfaces.bushing.value(std::atan2(e.y(), e.x()));
+  }
+
+
+
   SurfaceContact
   PinInBore::find_along_eccentricity(const Eigen::Vector2d &e,
                                      const double           alpha) const
@@ -258,7 +267,7 @@ namespace Tribody
   SurfaceContact
   PinInBore::find_contact(const Eigen::Vector2d &e, const double alpha) const
   {
-    if (is_along_eccentricity())
+    if (is_along_eccentricity() || is_beyond_bore(e))
       return find_along_eccentricity(e, alpha);
 
     const Overlap  overlap = find_deepest(e, alpha);
@@ -300,7 +309,7 @@ namespace Tribody
   PinInBore::compute_penetration(const Eigen::Vector2d &e,
                                  const double           alpha) const
   {
-    if (is_along_eccentricity())
+    if (is_along_eccentricity() || is_beyond_bore(e))
       {
         const double theta = std::atan2(e.y(), e.x());
         return e.norm() - surfaces.bushing.value(theta) -
@@ -323,57 +332,93 @@ namespace Tribody
     if (is_along_eccentricity())
       return e;
 
-    // Where the bore's normal turns through the direction, a round pin can
-    // rest; of these places the one where it overlaps least.
-    const Eigen::Index n        = table_x.size();
-    double             least    = compute_penetration(e, alpha);
-    double             previous = 0.;
-    for (Eigen::Index i = 0; i <= n; ++i)
+    // Where the pin can go farthest in the direction; among points of the bore
+    // first, by linear constraints that are those of the exact overlaps.
+    const double longest_step = surfaces.bushing.mean() + penetration;
+    for (unsigned int k = 0; k < 20; ++k)
       {
-        const double          theta = 2. * dealii::numbers::PI * (i % n) / n;
-        const Eigen::Vector2d tangent =
-          evaluate_overlap(theta, Eigen::Vector2d::Zero(), alpha).d_x;
-        const double ahead = tangent.dot(direction);
-        if (i > 0 && previous > 0. && ahead <= 0.)
-          {
-            const Eigen::Vector2d x(table_x(i % n), table_y(i % n));
-            const Eigen::Vector2d place =
-              x - (radius - penetration) * direction;
-            const double overlap = compute_penetration(place, alpha);
-            if (overlap < least)
-              {
-                least = overlap;
-                e     = place;
-              }
-          }
-        previous = ahead;
+        const Eigen::Vector2d step =
+          find_farthest_step(e, alpha, direction, penetration);
+        e += step;
+        if (step.norm() < 1e-12 * longest_step)
+          break;
       }
 
-    // Newton's method for penetration and direction.
-    Eigen::Vector2d best         = e;
-    double          smallest     = std::numeric_limits<double>::max();
-    const double    longest_step = surfaces.bushing.mean() + penetration;
-    for (unsigned int k = 0; k < 30; ++k)
+    // Between these points, Newton's method for penetration and direction.
+    // Where the pin rests on two points at once there is nothing to be found.
+    Eigen::Vector2d better = e;
+    for (unsigned int k = 0; k < 10; ++k)
       {
-        const SurfaceContact  contact = find_contact(e, alpha);
+        const SurfaceContact  contact = find_contact(better, alpha);
         const Eigen::Vector2d t       = perpendicular(direction);
         const Eigen::Vector2d residual(contact.penetration - penetration,
                                        contact.direction.dot(t) * longest_step);
-        if (residual.norm() < smallest)
-          {
-            smallest = residual.norm();
-            best     = e;
-          }
+        if (residual.norm() < 1e-14 * longest_step)
+          return better;
         Eigen::Matrix2d jacobian;
         jacobian << contact.d_penetration.head<2>(),
           longest_step * t.transpose() * contact.d_direction.leftCols<2>();
-        Eigen::Vector2d step = jacobian.partialPivLu().solve(residual);
-        if (!step.allFinite() || residual.norm() < 1e-14 * longest_step)
-          break;
-        if (step.norm() > longest_step)
-          step *= longest_step / step.norm();
-        e -= step;
+        better -= jacobian.partialPivLu().solve(residual);
+        if (!((better - e).norm() < 0.1 * longest_step))
+          return e;
+        if (residual.norm() < 1e-10 * longest_step)
+          return better;
       }
-    return best;
+    return e;
+  }
+
+
+
+  Eigen::Vector2d
+  PinInBore::find_farthest_step(const Eigen::Vector2d &e,
+                                const double           alpha,
+                                const Eigen::Vector2d &direction,
+                                const double           penetration) const
+  {
+    // Point i lets the pin go on by the step s if d_i . s <= g_i.
+    const Eigen::ArrayXd  x = table_x - e.x(), y = table_y - e.y();
+    const Eigen::ArrayXd  distance = (x.square() + y.square()).sqrt();
+    Eigen::ArrayXd        g        = distance - radius + penetration;
+    const Eigen::Vector2d t        = perpendicular(direction);
+    if (surfaces.pin_wear.is_constant())
+      g += surfaces.pin_wear.mean();
+    else
+      for (Eigen::Index i = 0; i < g.size(); ++i)
+        g(i) += surfaces.pin_wear.value(std::atan2(y(i), x(i)) - alpha);
+    const Eigen::ArrayXd d_n =
+      (x * direction.x() + y * direction.y()) / distance;
+    const Eigen::ArrayXd d_t = (x * t.x() + y * t.y()) / distance;
+
+    // Along the direction it can go by the least (g_i - w d_t) / d_n, a concave
+    // function of the step w across; its peak is where two of these lines
+    // meet.
+    struct Line
+    {
+      double value, slope;
+    };
+    const auto lowest = [&](const double w) {
+      Eigen::Index i = 0;
+      (d_n > 1e-6)
+        .select((g - w * d_t) / d_n, std::numeric_limits<double>::max())
+        .minCoeff(&i);
+      return Line{g(i) / d_n(i), -d_t(i) / d_n(i)};
+    };
+    const double width = 4. * g.abs().maxCoeff() + penetration;
+    Line         left = lowest(-width), right = lowest(width);
+    double       w = 0.;
+    for (unsigned int k = 0; k < 100; ++k)
+      {
+        if (!(left.slope > right.slope))
+          break;
+        w = (right.value - left.value) / (left.slope - right.slope);
+        const Line   here = lowest(w);
+        const double gain =
+          left.value + left.slope * w - (here.value + here.slope * w);
+        if (!(gain > 1e-14 * width))
+          break;
+        (here.slope > 0. ? left : right) = here;
+      }
+    const Line here = lowest(w);
+    return (here.value + here.slope * w) * direction + w * t;
   }
 } // namespace Tribody

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace Tribody
 {
@@ -115,29 +117,60 @@ namespace Tribody
 
 
 
+    namespace
+    {
+      // The parts of the values that alternate from node to node; where not all
+      // five nodes are well inside the arc of positive values, nothing.
+      std::vector<std::optional<double>>
+      alternating_parts(const Eigen::VectorXd &values)
+      {
+        const Eigen::Index n  = values.size();
+        const auto         at = [&](const Eigen::Index i) {
+          return values[(i + n) % n];
+        };
+        const auto is_inside = [&](const Eigen::Index i) {
+          const double before = std::max({at(i - 2), at(i - 1), at(i)});
+          const double after  = std::max({at(i), at(i + 1), at(i + 2)});
+          return before > 0. && after > 0.;
+        };
+        std::vector<std::optional<double>> parts(n);
+        for (Eigen::Index i = 0; i < n; ++i)
+          {
+            bool all_inside = true;
+            for (Eigen::Index k = i - 2; k <= i + 2; ++k)
+              all_inside = all_inside && is_inside(k);
+            if (all_inside)
+              parts[i] = std::abs(at(i - 2) - 4. * at(i - 1) + 6. * at(i) -
+                                  4. * at(i + 1) + at(i + 2)) /
+                         16.;
+          }
+        return parts;
+      }
+    } // namespace
+
+
+
     double
     mesh_oscillation(const Eigen::VectorXd &values)
     {
-      const Eigen::Index n = values.size();
-      const auto at = [&](const Eigen::Index i) { return values[(i + n) % n]; };
-      const auto is_inside = [&](const Eigen::Index i) {
-        const double before = std::max({at(i - 2), at(i - 1), at(i)});
-        const double after  = std::max({at(i), at(i + 1), at(i + 2)});
-        return before > 0. && after > 0.;
-      };
+      // An edge or a corner touches at most five of these in a row, so that it
+      // does not move the median of eleven.
+      constexpr Eigen::Index reach = 5;
 
-      double largest = 0.;
+      const auto         parts   = alternating_parts(values);
+      const Eigen::Index n       = values.size();
+      double             largest = 0.;
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          bool all_inside = true;
-          for (Eigen::Index k = i - 2; k <= i + 2; ++k)
-            all_inside = all_inside && is_inside(k);
-          if (all_inside)
-            largest =
-              std::max(largest,
-                       std::abs(at(i - 2) - 4. * at(i - 1) + 6. * at(i) -
-                                4. * at(i + 1) + at(i + 2)) /
-                         16.);
+          if (!parts[i])
+            continue;
+          std::vector<double> around;
+          for (Eigen::Index k = i - reach; k <= i + reach; ++k)
+            if (parts[(k + n) % n])
+              around.push_back(*parts[(k + n) % n]);
+          const auto middle = around.begin() + around.size() / 2;
+          std::nth_element(around.begin(), middle, around.end());
+          largest = std::max(largest, *middle);
         }
       const double scale = values.maxCoeff();
       return scale > 0. ? largest / scale : 0.;

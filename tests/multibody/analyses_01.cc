@@ -30,9 +30,9 @@
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/multibody/motion/motion_integrator.h>
-#include <tribody/multibody/motion/static_equilibrium.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
+#include <tribody/multibody/system/static_equilibrium.h>
 
 #include <cmath>
 #include <complex>

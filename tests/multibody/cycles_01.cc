@@ -27,8 +27,8 @@
 #include "report.h"
 #include "slider_crank.h"
 #include <tribody/base/exceptions.h>
+#include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/motion/motion_integrator.h>
-#include <tribody/multibody/motion/slow_motion_start.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 

@@ -181,8 +181,8 @@ oscillator()
                1e-4);
   report_below("  error of the balance", account.relative_error(), 1e-4);
 
-  const Reactions reactions =
-    compute_reactions(equations, end, compute_accelerations(equations, end));
+  const Reactions reactions = compute_reactions(
+    equations, end, compute_accelerations(equations, end), {});
   report_below("  error of the guide's moment",
                std::abs(reactions.joints(2, 0) / (2. * g * 0.3) - 1),
                1e-9);

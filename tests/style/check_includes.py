@@ -37,7 +37,11 @@ ALLOWED["multibody/motion"] = ALLOWED["multibody/system"] | {
     "multibody/system",
     "sundials",
 }
-ALLOWED["multibody/cycle"] = ALLOWED["multibody/motion"] | {"multibody/motion"}
+ALLOWED["multibody/following"] = ALLOWED["multibody/system"] | {"multibody/system"}
+ALLOWED["multibody/cycle"] = ALLOWED["multibody/motion"] | {
+    "multibody/motion",
+    "multibody/following",
+}
 BELOW_BUSHING = set(ALLOWED)
 ALLOWED["bushing"] = {
     "multibody/joints",

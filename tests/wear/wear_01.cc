@@ -189,7 +189,13 @@ test_oscillation()
       std::cout << "; with a sawtooth of " << amplitude << ": "
                 << mesh_oscillation(sawtooth);
     }
-  std::cout << std::endl;
+  // Where the contacts of many instants end at one place, the field jumps, or
+  // peaks in a single node.
+  Eigen::VectorXd edge = values;
+  edge.segment(150, 60) += Eigen::VectorXd::Constant(60, 0.5);
+  edge[150] += 0.5;
+  std::cout << "; with a jump and a peak below 1e-6: "
+            << (mesh_oscillation(edge) < 1e-6) << std::endl;
 }
 
 int

@@ -109,6 +109,13 @@ namespace Tribody
         return ring_housing;
       }
 
+      /// Thickness of the unworn wall where it is thinnest [m].
+      double
+      wall() const
+      {
+        return thinnest_wall;
+      }
+
       /// Whether the compliance has a share of the pin.
       bool
       has_elastic_pin() const
@@ -149,6 +156,8 @@ namespace Tribody
       /// Of the unworn bushing.
       bool                                      cells_are_alike;
       std::unique_ptr<dealii::Triangulation<2>> triangulation;
+      /// Of the unworn bushing [m].
+      double thinnest_wall;
       /// Change of the depth after which the compliance is computed anew [m].
       double                        allowed_change;
       Geometry::WornConfiguration   geometry;

@@ -287,6 +287,13 @@ namespace Tribody
       write_vtu(const std::string  &file_name,
                 const CycleContact &contact) const;
 
+      /// Thickness of the unworn wall where it is thinnest [m].
+      double
+      wall() const
+      {
+        return elastic.wall();
+      }
+
       /// Whether the compliance of the pin counts, see
       /// BushingParameters::pin_is_elastic().
       bool

@@ -23,6 +23,14 @@ namespace Tribody
      */
     struct CaseParameters
     {
+      /// With the defaults of parameter files: pins follow their bores where
+      /// they can, and there are samples where the forces are.
+      CaseParameters()
+      {
+        dynamics.joint_motion       = Multibody::JointMotion::automatic;
+        dynamics.sampling_tolerance = 2e-3;
+      }
+
       /// One line that says what the case is, for log and summary.
       std::string title;
       /// Cycles to run; 0: dynamics only.

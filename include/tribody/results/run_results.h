@@ -57,9 +57,17 @@ namespace Tribody
       double clearance;
       /// Amplitude of the mesh-size oscillation of the wear rate [-].
       double mesh_oscillation;
+      /// Of the duty cycles, as means over the cycles.
+      DutyErrors duty_errors;
+      /// By the mesh, if it is known for the whole run.
+      double mesh_error = 0.;
 
-      /// The larger of the errors of depth, relative to the deepest of both
-      /// surfaces [-]; zero without wear.
+      /// The larger of the errors of depth by the wear steps, relative to the
+      /// deepest of both surfaces [-]; zero without wear.
+      double
+      step_error() const;
+
+      /// The sum of all errors of the depth that are estimated [-].
       double
       depth_relative_error() const;
 
@@ -118,6 +126,15 @@ namespace Tribody
       double
       volume_relative_error() const;
     };
+
+    /**
+     * Results that cannot be right are no results: depths and forces must be
+     * numbers, what the surfaces lose what the wear law has removed, and
+     * energies, where they are added up, in balance.
+     * @throws ExcRun naming what is off, and by how much.
+     */
+    void
+    check_results(const RunResults &results);
 
     /// The results of @p process as it stands. Status, message and costs are
     /// left to the caller.

@@ -73,8 +73,7 @@ namespace Tribody
       /// Go on from @p state, of a simulation with the same parameters on as
       /// many ranks: each rank holds its share of the samples. All ranks must
       /// call this together.
-      /// @throws ExcRun with 'Mesh error estimate = whole run', whose state is
-      ///   not in there.
+      /// @throws ExcRun if it is not one of these parameters.
       void
       restore(const RunState &state);
 
@@ -91,6 +90,12 @@ namespace Tribody
       run(Output::OutputDirectory &directory);
 
     private:
+      bool
+      needs_more_samples() const;
+
+      std::unique_ptr<CoarseRun>
+      make_coarse_run() const;
+
       void
       run_cycles(RunRecorder &recorder);
 

@@ -29,6 +29,17 @@ namespace Tribody
       CoarseRun(const WearParameters             &parameters,
                 const std::deque<WearingBushing> &bushings);
 
+      /// Go on from the twin of the state of a run, with the errors seen so
+      /// far.
+      /// @throws ExcRun if it does not fit.
+      void
+      restore(const RunState               &state,
+              const std::vector<MeshError> &errors_so_far);
+
+      /// Where it stands, if it follows the whole run; else empty.
+      std::vector<RunState>
+      state() const;
+
       /// Before any wear: the first cycle of the run on coarser meshes.
       void
       start(const WearProcess &run);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <tribody/bushing/premises.h>
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/stepping/mesh_error.h>
@@ -28,6 +29,49 @@ namespace Tribody
       double volume_error = 0.;
     };
 
+    /// Estimated errors that a duty cycle leaves in the wear, relative [-], or
+    /// their integral over the cycles.
+    struct DutyErrors
+    {
+      /// By its samples, JointDutyCycle::sampling_error.
+      double sampling = 0.;
+      /// By the inertia that pins which follow their bores leave out.
+      double inertia = 0.;
+      /// As the motion has not settled: of the mean force over the cycles that
+      /// were averaged, or its change from cycle to cycle.
+      double settling = 0.;
+      /// Of the integrated motion.
+      double integration = 0.;
+
+      /// The means over @p n_cycles if these are integrals.
+      DutyErrors
+      over(const double n_cycles) const
+      {
+        return {sampling / n_cycles,
+                inertia / n_cycles,
+                settling / n_cycles,
+                integration / n_cycles};
+      }
+
+      /// All together.
+      double
+      sum() const
+      {
+        return sampling + inertia + settling + integration;
+      }
+    };
+
+    /// Over which wear spreads to either side of the force in @p contact, for
+    /// the choice of samples [rad].
+    double
+    reach_of(const CycleContact &contact);
+
+    /// Those of @p joint in @p cycle, which wears over @p reach [rad].
+    DutyErrors
+    estimate_duty_errors(const Multibody::DutyCycle      &cycle,
+                         const Multibody::JointDutyCycle &joint,
+                         const double                     reach);
+
     /// What a run adds up for one bushing and its pin.
     struct JointTotals
     {
@@ -39,6 +83,10 @@ namespace Tribody
       double force_over_sliding = 0.;
       /// Estimated error of the depth left by the steps [m], per wearing node.
       Eigen::VectorXd depth_error;
+      /// Errors of the duty cycles, each times the cycles it was worn under.
+      DutyErrors duty_errors;
+      /// The largest that have been seen.
+      Strains strains;
     };
 
     /// All that a run has done to one joint that wears. Depths have one value
@@ -147,6 +195,9 @@ namespace Tribody
       /// What the mesh does to the results, one per bushing; empty if nobody
       /// asked.
       std::vector<MeshError> mesh_errors;
+      /// The wear on the next coarser meshes that goes along with this one,
+      /// see CoarseRun; empty or one.
+      std::vector<RunState> twin;
       /// The stop condition that has ended the run, for the user; or empty.
       std::string stopped_by;
       /// Whether the user knows that the explicit steps are too long.

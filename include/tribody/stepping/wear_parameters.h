@@ -81,7 +81,7 @@ namespace Tribody
       /// compliance is computed anew [-].
       double compliance_update = 0.005;
       /// What is computed a second time to learn how far the mesh matters.
-      MeshErrorEstimate mesh_error_estimate = MeshErrorEstimate::first_cycle;
+      MeshErrorEstimate mesh_error_estimate = MeshErrorEstimate::whole_run;
       /// Change of the profile, as a fraction of the largest clearance of the
       /// worn joint, after which the dynamics is run anew [-].
       double dynamics_update = 0.01;

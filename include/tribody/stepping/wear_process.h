@@ -97,6 +97,13 @@ namespace Tribody
         run_state.mesh_errors = errors;
       }
 
+      /// For the run, see RunState.
+      void
+      set_twin(const std::vector<RunState> &twin)
+      {
+        run_state.twin = twin;
+      }
+
       /// For the run, see RunState: the user has been told, once.
       void
       set_unstable_step_reported()

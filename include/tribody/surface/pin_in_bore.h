@@ -82,6 +82,10 @@ namespace Tribody
    * there is one deepest point; where there are two, the direction jumps from
    * one to the other.
    *
+   * Beyond the bore, where the distance of the pin's centre from it would make
+   * the overlap small again, the scalar measure goes on: both are R_i at the
+   * bore itself.
+   *
    * In a round bore with a round pin both measures are
    * @f$ |e| - c @f$ with @f$ n = e/|e| @f$.
    */
@@ -105,10 +109,10 @@ namespace Tribody
     /**
      * Where the centre of the pin, turned by @p alpha, has to be [m] to
      * penetrate the bore by @p penetration [m] with the contact normal
-     * @p direction. A bore with more than one lobe may offer several places;
-     * among them that where the pin overlaps the bore least elsewhere. If there
-     * is none, because the pin would rest on two points at once, the place
-     * returned is only near.
+     * @p direction: where a force in that direction presses it to. Of all
+     * places where it penetrates the bore by no more, this is the farthest in
+     * the direction; where the pin rests on two points at once, a force between
+     * their normals holds it there.
      */
     Eigen::Vector2d
     find_position(const Eigen::Vector2d &direction,
@@ -135,6 +139,10 @@ namespace Tribody
     bool
     is_along_eccentricity() const;
 
+    // Whether the pin's centre is outside the bore.
+    bool
+    is_beyond_bore(const Eigen::Vector2d &e) const;
+
     SurfaceContact
     find_along_eccentricity(const Eigen::Vector2d &e, const double alpha) const;
 
@@ -145,6 +153,12 @@ namespace Tribody
     evaluate_overlap(const double           theta,
                      const Eigen::Vector2d &e,
                      const double           alpha) const;
+
+    Eigen::Vector2d
+    find_farthest_step(const Eigen::Vector2d &e,
+                       const double           alpha,
+                       const Eigen::Vector2d &direction,
+                       const double           penetration) const;
 
     Eigen::Index
     deepest_table_entry(const Eigen::Vector2d &e, const double alpha) const;

@@ -94,11 +94,13 @@ namespace Tribody
 
     /**
      * Amplitude of the mesh-size oscillation in a field on the bore, relative
-     * to the field's largest value: the largest fourth difference
+     * to the field's largest value: of the fourth difference
      * @f$ |v_{i-2} - 4 v_{i-1} + 6 v_i - 4 v_{i+1} + v_{i+2}| / 16 @f$ (a
      * sawtooth of amplitude a gives a, a smooth field the fourth power of the
-     * node distance) where all five values are positive, so that the edge of
-     * contact does not count. Zero for a field that vanishes.
+     * node distance) the largest median over eleven nodes, as far as all five
+     * values are positive. So the edge of contact does not count, nor those of
+     * the contacts at single instants, which a rigid bore has inside the worn
+     * arc. Zero for a field that vanishes.
      */
     double
     mesh_oscillation(const Eigen::VectorXd &values);

@@ -2,6 +2,9 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <tribody/base/exceptions.h>
+#include <tribody/base/significant_digits.h>
+#include <tribody/base/units.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
 #include <tribody/multibody/motion/energy_account.h>
 #include <tribody/multibody/motion/motion_integrator.h>
@@ -74,24 +77,52 @@ namespace Tribody
     {
       // Not the multipliers of the integrator: those are outside its error
       // test. These are exact for the given q and v.
-      record(k, state, compute_accelerations(present, state), present);
+      record(k,
+             state,
+             compute_accelerations(present, state),
+             find_contacts(state),
+             present);
     }
 
 
 
     void
-    CycleRecorder::record(const unsigned int       k,
-                          const MechanismState    &state,
-                          const Accelerations     &accelerations,
-                          const EquationsOfMotion &present)
+    CycleRecorder::record(const unsigned int    k,
+                          const MechanismState &state,
+                          const Accelerations  &accelerations)
     {
+      record(k, state, accelerations, find_contacts(state), equations);
+    }
+
+
+
+    std::vector<JointContact>
+    CycleRecorder::find_contacts(const MechanismState &state) const
+    {
+      std::vector<JointContact> result;
+      for (unsigned int j = 0; j < contacts.size(); ++j)
+        result.push_back(equations.compute_contact(j, state));
+      return result;
+    }
+
+
+
+    void
+    CycleRecorder::record(const unsigned int               k,
+                          const MechanismState            &state,
+                          const Accelerations             &accelerations,
+                          const std::vector<JointContact> &joint_contacts,
+                          const EquationsOfMotion         &present)
+    {
+      check_pins(state.time, joint_contacts);
       times(k) = state.time;
       q.col(k) = state.q;
       v.col(k) = state.v;
       a.col(k) = accelerations.a;
       for (unsigned int j = 0; j < contacts.size(); ++j)
-        contacts[j][k] = equations.compute_contact(j, state);
-      reactions[k] = compute_reactions(present, state, accelerations);
+        contacts[j][k] = joint_contacts[j];
+      reactions[k] =
+        compute_reactions(present, state, accelerations, joint_contacts);
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
         forces.col(k).segment<2>(2 * j) = reactions[k].joints.col(j).head<2>();
       if (energy_account != nullptr)
@@ -101,6 +132,32 @@ namespace Tribody
           const Energy energy   = equations.compute_energy(state.q, state.v);
           energies[k].kinetic   = energy.kinetic;
           energies[k].potential = energy.potential;
+        }
+    }
+
+
+
+    void
+    CycleRecorder::check_pins(
+      const double                     time,
+      const std::vector<JointContact> &joint_contacts) const
+    {
+      for (unsigned int j = 0; j < joint_contacts.size(); ++j)
+        {
+          const ClearanceJoint &joint =
+            equations.mechanism().clearance_joints()[j];
+          const double distance = joint_contacts[j].eccentricity.norm();
+          const double allowed =
+            joint.bushing_radius +
+            std::max(0., distance - joint_contacts[j].penetration);
+          AssertThrow(distance <= allowed,
+                      ExcRun("Joint " + joint.name + ": at time " +
+                             significant_digits(time, 6) +
+                             " s the pin's centre is " +
+                             Units::to_string(distance, "m", "mm") +
+                             " from the bushing's, outside the bore: its "
+                             "contact force law has not held it. Look at "
+                             "loads, speed, radii and moduli"));
         }
     }
 
@@ -121,24 +178,48 @@ namespace Tribody
 
 
 
+    Eigen::Matrix3Xd
+    CycleRecorder::settling_records(const unsigned int joint) const
+    {
+      const JointEntry &entry = equations.mechanism().joints()[joint];
+      Eigen::Matrix3Xd  result(3, 2 * n_samples);
+      for (unsigned int k = 0; k < 2 * n_samples; ++k)
+        {
+          // Without the first record, which the cycle before has as its last:
+          // the very first cycle begins half an interval late and has none.
+          const Eigen::Vector2d force = forces.col(k + 1).segment<2>(2 * joint);
+          const double          angle =
+            entry.is_revolute ? angle_of(entry.bodies.second, q, k + 1) : 0.;
+          const BodyPair &bodies = entry.bodies;
+          const auto      speed  = [&](const int body) {
+            return body == ground_body ? 0. : v(3 * body + 2, k + 1);
+          };
+          result.col(k) << turned(force, -angle),
+            entry.is_revolute ? speed(bodies.first) - speed(bodies.second) : 0.;
+        }
+      return result;
+    }
+
+
+
     double
     CycleRecorder::difference(const CycleRecorder &other) const
     {
-      // Without the first record, which the cycle before has as its last: the
-      // very first cycle begins half an interval late and has none.
-      const auto            now = forces.rightCols(2 * n_samples);
-      const Eigen::MatrixXd change =
-        now - other.forces.rightCols(2 * n_samples);
       double largest = 0.;
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
         {
-          const double scale =
-            now.middleRows(2 * j, 2).colwise().norm().maxCoeff();
-          if (scale > 0)
+          const Eigen::Matrix3Xd now    = settling_records(j);
+          const Eigen::Matrix3Xd change = now - other.settling_records(j);
+          const double force = now.topRows<2>().colwise().norm().maxCoeff();
+          const double speed = now.row(2).cwiseAbs().maxCoeff();
+          if (force > 0)
             largest =
               std::max(largest,
-                       change.middleRows(2 * j, 2).colwise().norm().maxCoeff() /
-                         scale);
+                       change.topRows<2>().colwise().norm().maxCoeff() / force);
+          // A joint that does not turn has nothing but roundings there [rad].
+          if (speed * period > 1e-6)
+            largest =
+              std::max(largest, change.row(2).cwiseAbs().maxCoeff() / speed);
         }
       return largest;
     }
@@ -229,21 +310,61 @@ namespace Tribody
 
 
 
+    double
+    CycleRecorder::relative_angle(const unsigned int joint,
+                                  const unsigned int k) const
+    {
+      const BodyPair &bodies = equations.mechanism().joints()[joint].bodies;
+      return angle_of(bodies.first, q, k) - angle_of(bodies.second, q, k);
+    }
+
+
+
+    CycleRecorder::Load
+    CycleRecorder::load(const unsigned int joint, const unsigned int k) const
+    {
+      const JointEntry &entry = equations.mechanism().joints()[joint];
+      if (entry.has_contact_law())
+        {
+          const JointContact &contact = contacts[entry.index][k];
+          return {contact.normal_force, contact.angle_in_bushing};
+        }
+      const Eigen::Vector2d force = forces.col(k).segment<2>(2 * joint);
+      return {force.norm(),
+              std::atan2(force.y(), force.x()) -
+                angle_of(entry.bodies.second, q, k)};
+    }
+
+
+
     void
     CycleRecorder::fill_sliding(const unsigned int joint,
                                 JointDutyCycle    &result) const
     {
       const JointEntry &entry = equations.mechanism().joints()[joint];
       const auto        alpha = [&](const unsigned int k) {
-        return angle_of(entry.bodies.first, q, k) -
-               angle_of(entry.bodies.second, q, k);
+        return relative_angle(joint, k);
       };
       // In two halves: where the sliding reverses at a sample, both count.
+      result.sliding_halves.resize(2 * n_samples);
+      for (unsigned int k = 0; k < 2 * n_samples; ++k)
+        result.sliding_halves(k) =
+          entry.bushing_radius * std::abs(alpha(k + 1) - alpha(k));
+      // A motion that begins at the first sample has nothing before it, but
+      // the cycles that repeat it have.
+      if (times(0) == times(1))
+        result.sliding_halves(0) = result.sliding_halves(1);
       for (unsigned int s = 0; s < n_samples; ++s)
         result.sliding_increment(s) =
-          entry.bushing_radius *
-          (std::abs(alpha(2 * s + 1) - alpha(2 * s)) +
-           std::abs(alpha(2 * s + 2) - alpha(2 * s + 1)));
+          result.sliding_halves(2 * s) + result.sliding_halves(2 * s + 1);
+      result.force_between.resize(n_samples + 1);
+      result.angle_between.resize(n_samples + 1);
+      for (unsigned int s = 0; s <= n_samples; ++s)
+        {
+          const Load at           = load(joint, 2 * s);
+          result.force_between(s) = at.force;
+          result.angle_between(s) = at.angle;
+        }
       result.sliding_speed = result.sliding_increment * (n_samples / period);
     }
 
@@ -252,6 +373,7 @@ namespace Tribody
     void
     CycleRecorder::fill_events(const unsigned int               joint,
                                const std::vector<ContactEvent> &events,
+                               const double                     motion_begin,
                                JointDutyCycle                  &result) const
     {
       const unsigned int index = event_index(joint);
@@ -262,10 +384,10 @@ namespace Tribody
       const double interval = period / n_samples;
       const double begin    = times(0);
       const double end      = times(2 * n_samples);
-      result.contacts =
-        list_contacts(events,
-                      index,
-                      {begin, end, 0., interval, is_in_contact_at_end});
+      result.contacts       = list_contacts(
+        events,
+        index,
+        {begin, end, motion_begin, interval, is_in_contact_at_end});
       result.state_shares = {{1., 0., 0.}};
       for (ContactInterval &contact : result.contacts)
         {
@@ -316,7 +438,8 @@ namespace Tribody
 
     JointDutyCycle
     CycleRecorder::make_joint(const unsigned int               j,
-                              const std::vector<ContactEvent> &events) const
+                              const std::vector<ContactEvent> &events,
+                              const double motion_begin) const
     {
       const JointEntry     &entry = equations.mechanism().joints()[j];
       const Eigen::VectorXd zero  = Eigen::VectorXd::Zero(n_samples);
@@ -355,13 +478,13 @@ namespace Tribody
       if (entry.has_contact_law())
         {
           fill_contact(j, joint);
-          fill_events(j, events, joint);
+          fill_events(j, events, motion_begin, joint);
         }
       else if (entry.link != nullptr)
         {
           fill_rigid_clearance(j, joint);
           if (entry.model == JointModel::impact)
-            fill_events(j, events, joint);
+            fill_events(j, events, motion_begin, joint);
         }
       else if (entry.is_revolute)
         fill_ideal(j, joint);
@@ -426,8 +549,8 @@ namespace Tribody
 
 
     DutyCycle
-    CycleRecorder::make_duty_cycle(
-      const std::vector<ContactEvent> &events) const
+    CycleRecorder::make_duty_cycle(const std::vector<ContactEvent> &events,
+                                   const double                     begin) const
     {
       const auto at_samples = [this](const Eigen::MatrixXd &records) {
         Eigen::MatrixXd samples(records.rows(), n_samples);
@@ -444,7 +567,7 @@ namespace Tribody
       cycle.velocities    = at_samples(v);
       cycle.accelerations = at_samples(a);
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
-        cycle.joints.push_back(make_joint(j, events));
+        cycle.joints.push_back(make_joint(j, events, begin));
       cycle.drivers = make_drivers();
       cycle.energy  = make_energy();
       return cycle;

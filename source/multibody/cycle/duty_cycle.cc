@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/joints/wear_spread.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,31 @@ namespace Tribody
     JointDutyCycle::sliding_distance() const
     {
       return sliding_increment.sum();
+    }
+
+
+
+    double
+    JointDutyCycle::sampling_error(const double reach) const
+    {
+      WearSpread by_samples(reach), by_records(reach);
+      for (Eigen::Index s = 0; s < sliding_halves.size() / 2; ++s)
+        {
+          by_samples.add(normal_force(s),
+                         contact_angle_bushing(s),
+                         sliding_increment(s));
+          for (Eigen::Index half = 0; half < 2; ++half)
+            {
+              const double distance = 0.5 * sliding_halves(2 * s + half);
+              by_records.add(normal_force(s),
+                             contact_angle_bushing(s),
+                             distance);
+              by_records.add(force_between(s + half),
+                             angle_between(s + half),
+                             distance);
+            }
+        }
+      return by_samples.difference(by_records);
     }
 
 
@@ -124,6 +150,7 @@ namespace Tribody
       for (JointDutyCycle &joint : joints)
         {
           joint.sliding_increment /= n;
+          joint.sliding_halves /= n;
           const Eigen::VectorXd force = joint.force();
           Eigen::VectorXd       peaks(n), means(n);
           for (unsigned int k = 0; k < n; ++k)

@@ -46,6 +46,23 @@ namespace Tribody
       void
       add_integration(dealii::ParameterHandler &prm, DynamicsParameters &p)
       {
+        Parameters::add_choice(
+          prm,
+          "Joint motion",
+          p.joint_motion,
+          "How pins move in joints with clearance. 'dynamic': pins are free "
+          "in their bores, and the equations of motion are integrated with the "
+          "vibration and the impacts of their contacts. 'quasi-static': every "
+          "pin rests where its force presses it into its bore, against "
+          "friction and as deep as the contact force law says; then the motion "
+          "has nothing to settle, and its cost does not depend on the "
+          "stiffness. It needs drivers for all degrees of freedom that ideal "
+          "joints leave. What it leaves out is the inertia of the pins' motion "
+          "against their bores: where that would change the force of a joint "
+          "by more than 2 % on the average over its sliding, a message says "
+          "so; beyond 10 % the run stops. 'automatic': in runs with wear "
+          "quasi-static where that is possible within these limits, otherwise "
+          "dynamic; in runs without wear ('Cycles = 0') dynamic.");
         Parameters::add_quantity(
           prm,
           "Accuracy",
@@ -83,16 +100,28 @@ namespace Tribody
                                 "Samples per cycle",
                                 p.samples_per_cycle,
                                 "Number of equal time steps at which a duty "
-                                "cycle is recorded.",
+                                "cycle is recorded, at least: see 'Sampling "
+                                "tolerance'.",
                                 8,
                                 100000);
+        Parameters::add_quantity(
+          prm,
+          "Sampling tolerance",
+          p.sampling_tolerance,
+          "",
+          "Error that the samples may leave in the wear where it is deepest, "
+          "estimated from the forces between them. Where it is larger, twice "
+          "as many are taken, up to sixteen times 'Samples per cycle'. 0 takes "
+          "these as they are; so do runs without wear.");
         Parameters::add_quantity(
           prm,
           "Settling tolerance",
           p.settling_tolerance,
           "",
-          "A motion counts as settled when the joint forces differ from those "
-          "of the cycle before by less than this part of the largest force.");
+          "A motion counts as settled when the joint forces, seen from the "
+          "bushing, differ from those of the cycle before by less than this "
+          "part of the largest force, and the speeds at which pins turn in "
+          "their bushings likewise.");
         Parameters::add_integer(
           prm,
           "Maximum settling cycles",
@@ -170,6 +199,11 @@ namespace Tribody
                                "must be positive, or 0 s for one turn of the "
                                "first driver, not " +
                                  Units::to_string(cycle_duration, "s", "s")));
+      AssertThrow(sampling_tolerance >= 0,
+                  ExcParameter("Dynamics/Sampling tolerance",
+                               "must be positive, or 0 for as many samples as "
+                               "'Samples per cycle' says, not " +
+                                 Units::to_string(sampling_tolerance, "", "")));
       AssertThrow(settling_tolerance > 0,
                   ExcParameter("Dynamics/Settling tolerance",
                                "must be positive, not " +

@@ -42,9 +42,10 @@ namespace Tribody
 
 
     Reactions
-    compute_reactions(const EquationsOfMotion &equations,
-                      const MechanismState    &state,
-                      const Accelerations     &accelerations)
+    compute_reactions(const EquationsOfMotion         &equations,
+                      const MechanismState            &state,
+                      const Accelerations             &accelerations,
+                      const std::vector<JointContact> &contacts)
     {
       const Mechanism &mechanism = equations.mechanism();
       Eigen::VectorXd  phi_t(mechanism.n_constraints()), phi_tt(phi_t);
@@ -61,7 +62,7 @@ namespace Tribody
           PairVector            force;
           if (joint.has_contact_law())
             force = mechanism.clearance_joints()[joint.index].compute_force(
-              q, equations.compute_contact(joint.index, state));
+              q, contacts[joint.index]);
           else if (joint.is_flying)
             force.setZero();
           else

@@ -47,13 +47,21 @@ namespace Tribody
              const MechanismState    &state,
              const EquationsOfMotion &present);
 
-      /// Record number @p k with the given accelerations and reactions.
+      /// Record number @p k with the given accelerations and multipliers.
       void
       record(const unsigned int    k,
              const MechanismState &state,
-             const Accelerations  &accelerations)
+             const Accelerations  &accelerations);
+
+      /// Record number @p k with these and with the given contacts, one per
+      /// clearance joint.
+      void
+      record(const unsigned int               k,
+             const MechanismState            &state,
+             const Accelerations             &accelerations,
+             const std::vector<JointContact> &joint_contacts)
       {
-        record(k, state, accelerations, equations);
+        record(k, state, accelerations, joint_contacts, equations);
       }
 
       /// Exchange what has been recorded with @p other, of the same mechanism
@@ -61,21 +69,39 @@ namespace Tribody
       void
       swap_records(CycleRecorder &other);
 
-      /// Largest difference of a joint force to the one that @p other has
-      /// recorded, relative to the joint's largest force.
+      /// Largest difference of a joint force, in the frame of the bushing, to
+      /// the one that @p other has recorded, relative to the joint's largest
+      /// force; and likewise of the angular speed between pin and bushing.
       double
       difference(const CycleRecorder &other) const;
 
-      /// @p events: contact events of the whole run.
+      /// @p events: contact events of the whole motion, which began at time
+      /// @p begin [s].
       DutyCycle
-      make_duty_cycle(const std::vector<ContactEvent> &events) const;
+      make_duty_cycle(const std::vector<ContactEvent> &events,
+                      const double                     begin = 0.) const;
 
     private:
       void
-      record(const unsigned int       k,
-             const MechanismState    &state,
-             const Accelerations     &accelerations,
-             const EquationsOfMotion &present);
+      record(const unsigned int               k,
+             const MechanismState            &state,
+             const Accelerations             &accelerations,
+             const std::vector<JointContact> &joint_contacts,
+             const EquationsOfMotion         &present);
+
+      // What is to repeat of a joint, a column per record but the first: force
+      // in the frame of the bushing [N] and angular speed of the pin in it
+      // [rad/s].
+      Eigen::Matrix3Xd
+      settling_records(const unsigned int joint) const;
+
+      // Throws ExcRun if the centre of a pin is outside its bore.
+      void
+      check_pins(const double                     time,
+                 const std::vector<JointContact> &joint_contacts) const;
+
+      std::vector<JointContact>
+      find_contacts(const MechanismState &state) const;
 
       void
       fill_contact(const unsigned int joint, JointDutyCycle &result) const;
@@ -98,11 +124,13 @@ namespace Tribody
       void
       fill_events(const unsigned int               joint,
                   const std::vector<ContactEvent> &events,
+                  const double                     motion_begin,
                   JointDutyCycle                  &result) const;
 
       JointDutyCycle
       make_joint(const unsigned int               joint,
-                 const std::vector<ContactEvent> &events) const;
+                 const std::vector<ContactEvent> &events,
+                 const double                     motion_begin) const;
 
       std::vector<DriverDutyCycle>
       make_drivers() const;
@@ -112,6 +140,20 @@ namespace Tribody
 
       double
       compute_ringing(const unsigned int joint) const;
+
+      // Normal force of a revolute joint and its direction in the bushing's
+      // frame, at record k.
+      struct Load
+      {
+        double force;
+        double angle;
+      };
+      Load
+      load(const unsigned int joint, const unsigned int k) const;
+
+      // Angle between the pin and the bushing of a revolute joint.
+      double
+      relative_angle(const unsigned int joint, const unsigned int k) const;
 
       const EquationsOfMotion &equations;
       const unsigned int       n_samples;

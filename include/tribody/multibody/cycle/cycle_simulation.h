@@ -9,6 +9,7 @@
 #include <tribody/multibody/system/mechanism.h>
 #include <tribody/surface/periodic_profile.h>
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -19,6 +20,8 @@ namespace Tribody
     class CycleRecorder;
     class EnergyAccount;
     class IntermittentMotion;
+    struct Accelerations;
+    struct MechanismState;
     struct DutyCycle;
     struct SettlingReport;
     struct StartingState;
@@ -45,8 +48,8 @@ namespace Tribody
        * @p mechanism.
        * @throws ExcParameter for what cannot be assembled, redundant
        *   constraints, a missing driver, an analysis that does not fit the
-       *   degrees of freedom, masses that are missing, or a crank that cannot
-       *   make a full turn with ideal joints.
+       *   degrees of freedom, masses that are missing, a driver that jumps, or
+       * a crank that cannot make a full turn with ideal joints.
        */
       CycleSimulation(const Mechanism          &mechanism,
                       const DynamicsParameters &parameters);
@@ -61,16 +64,23 @@ namespace Tribody
       /// Elastic surfaces of joints, by name of the joint.
       using Supports = std::map<std::string, std::shared_ptr<const PinSupport>>;
 
+      /// Angles over which wear spreads to either side of a joint's force
+      /// [rad], by name of the joint; those of joints not given are as of a
+      /// bore that is worn in.
+      using Arcs = std::map<std::string, double>;
+
       /**
        * A settled cycle with the given clearances, by name of the joint; those
        * not given are as manufactured. Whether it has really settled is in the
        * result.
        * @param supports of all joints under FiniteElementLaw.
+       * @param arcs decide how many samples the sampling tolerance asks for.
        * @throws ExcRun if the integration fails.
        */
       DutyCycle
       run(const Clearances &clearances = {},
-          const Supports   &supports   = {}) const;
+          const Supports   &supports   = {},
+          const Arcs       &arcs       = {}) const;
 
       /// Of the joints as manufactured.
       std::vector<ReferenceScale>
@@ -86,31 +96,85 @@ namespace Tribody
       void
       check_analysis() const;
 
+      // That what they prescribe has a velocity, at least.
+      void
+      check_drivers() const;
+
       // Nothing but constraints is asked.
       bool
       is_kinematic() const;
 
-      // Time of record k, from half an interval before the first sample on if
-      // the cycle repeats; a motion with a beginning has no time before 0.
+      // Time of record k for n samples, from half an interval before the first
+      // sample on if the cycle repeats; a motion with a beginning has no time
+      // before 0.
       double
-      record_time(const unsigned int k) const;
+      record_time(const unsigned int k, const unsigned int n) const;
+
+      // With as many samples as the sampling tolerance asks for.
+      DutyCycle
+      refine_samples(
+        const Arcs                                         &arcs,
+        const std::function<DutyCycle(const unsigned int)> &run_with) const;
+
+      bool
+      needs_more_samples(const DutyCycle   &cycle,
+                         const Arcs        &arcs,
+                         const unsigned int n) const;
 
       // Kinematics, with inverse dynamics unless it is_kinematic().
       DutyCycle
-      run_kinematics(const EquationsOfMotion &equations) const;
+      run_kinematics(const EquationsOfMotion &equations,
+                     const unsigned int       n) const;
+
+      // With ideal joints in static equilibrium and the pins placed under
+      // their reactions; q where there is none.
+      Eigen::VectorXd
+      guess_rest(const EquationsOfMotion &equations,
+                 const double             t,
+                 const Eigen::VectorXd   &q) const;
+
+      // Static equilibrium near state.q. Sets state.q and, where pins can
+      // follow, their contacts.
+      Accelerations
+      balance(const EquationsOfMotion   &equations,
+              MechanismState            &state,
+              std::vector<JointContact> &contacts) const;
 
       DutyCycle
-      run_statics(const EquationsOfMotion &equations) const;
+      run_statics(const EquationsOfMotion &equations,
+                  const unsigned int       n) const;
+
+      // Whether there are pins, and drivers and joints allow them to follow
+      // their bores.
+      bool
+      can_follow() const;
+
+      // Whether they are to do so, too.
+      bool
+      may_follow() const;
+
+      // With pins that follow their bores. Throws ExcRun where they do not.
+      DutyCycle
+      run_following(const EquationsOfMotion &equations,
+                    const unsigned int       n) const;
+
+      // Quasi-static if asked for and possible, or dynamic.
+      DutyCycle
+      run_joints_with_gaps(const EquationsOfMotion           &equations,
+                           const std::vector<ReferenceScale> &scales,
+                           const Arcs                        &arcs) const;
 
       DutyCycle
       run_dynamics(const EquationsOfMotion           &equations,
-                   const std::vector<ReferenceScale> &scales) const;
+                   const std::vector<ReferenceScale> &scales,
+                   const Arcs                        &arcs) const;
 
-      // Go through cycles, one or as many as recorder is made for; returns the
-      // integration steps taken.
+      // Go through cycles of n samples, one or as many as recorder is made for;
+      // returns the integration steps taken.
       unsigned long
       record_cycles(const double        begins,
                     const unsigned int  n_cycles,
+                    const unsigned int  n,
                     IntermittentMotion &integrator,
                     CycleRecorder      &recorder) const;
 
@@ -120,6 +184,16 @@ namespace Tribody
       settle(IntermittentMotion &integrator,
              CycleRecorder      &recorder,
              unsigned long      &n_steps_in_cycle) const;
+
+      // Go on from a settled cycle with twice as many samples and more, as far
+      // as the sampling tolerance asks for it.
+      void
+      record_more_samples(const EquationsOfMotion &equations,
+                          const Arcs              &arcs,
+                          const EnergyAccount     *account,
+                          SettlingReport          &settling,
+                          IntermittentMotion      &integrator,
+                          DutyCycle               &cycle) const;
 
       // Record as many cycles as are to be averaged, from where settle() ended.
       DutyCycle

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <tribody/multibody/cycle/contact_interval.h>
+#include <tribody/multibody/joints/wear_spread.h>
 #include <tribody/multibody/motion/energy_record.h>
 #include <tribody/sundials/ida_integrator.h>
 
@@ -89,6 +90,22 @@ namespace Tribody
       /// friction counts too.
       double residual_ringing = 0.;
 
+      /// If the pin follows its bore: change of the force by the inertia that
+      /// this leaves out, relative to the force, both averaged over the sliding
+      /// [-]. See NeglectedInertia.
+      double neglected_inertia = 0.;
+      /// Likewise that of the wear where it is deepest, WearSpread [-].
+      double wear_of_neglected_inertia = 0.;
+
+      /// Between the samples, from half an interval before the first on: normal
+      /// force [N]; one more than samples. Empty if not revolute.
+      Eigen::VectorXd force_between;
+      /// Likewise its direction in the frame of the bushing [rad].
+      Eigen::VectorXd angle_between;
+      /// Sliding [m] in the two halves of the intervals, in order; twice as
+      /// many as samples.
+      Eigen::VectorXd sliding_halves;
+
       /// If several cycles were recorded: the mean of their peak forces [N].
       double mean_peak_force = 0.;
       /// Likewise the standard deviation of the peak force from cycle to cycle
@@ -113,6 +130,15 @@ namespace Tribody
       /// Mean of the normal force over the sliding distance [N].
       double
       mean_normal_force() const;
+
+      /// Of sampling_error() for a bore that is worn in [rad].
+      static constexpr double usual_reach = WearSpread::usual_reach;
+
+      /// Error that the samples leave in the wear where it is deepest [-],
+      /// estimated from twice as many, for a wear that spreads over the angle
+      /// @p reach [rad] to either side of the force: WearSpread.
+      double
+      sampling_error(const double reach) const;
 
       /// Sum of the sliding increments [m].
       double
@@ -212,6 +238,11 @@ namespace Tribody
 
       /// How many cycles it took to get here.
       SettlingReport settling;
+      /// What the integration may leave in the forces, relative [-]; zero
+      /// without one.
+      double integration_error = 0.;
+      /// Whether pins follow their bores instead of being integrated.
+      bool is_quasi_static = false;
       /// Largest entry of Phi at any integration step since the start of the
       /// motion [m, rad].
       double constraint_drift = 0.;

@@ -38,6 +38,24 @@ namespace Tribody
               {Analysis::static_equilibrium, "static equilibrium"}};
     }
 
+    /// How pins move in their bores. Automatic: quasi-static where they follow,
+    /// dynamic otherwise. What it is in a run without wear is up to the caller.
+    enum class JointMotion
+    {
+      automatic,
+      quasi_static,
+      dynamic
+    };
+
+    /// Their words, see ChoiceNames.
+    inline ChoiceNames<JointMotion>
+    choice_names(const JointMotion)
+    {
+      return {{JointMotion::automatic, "automatic"},
+              {JointMotion::quasi_static, "quasi-static"},
+              {JointMotion::dynamic, "dynamic"}};
+    }
+
     /// How a mechanism with clearance joints starts.
     enum class MotionStart
     {
@@ -78,14 +96,19 @@ namespace Tribody
     {
       /// What is computed.
       Analysis analysis = Analysis::automatic;
+      /// Whether the vibration of pins in their bores is integrated.
+      JointMotion joint_motion = JointMotion::dynamic;
       /// Time of one recorded cycle [s]; 0: one turn of the first driver.
       double cycle_duration = 0.;
       /// Local error allowed in a penetration, relative to its size [-].
       double accuracy = 3e-4;
       /// Highest order of BDF; 0: 2 with clearance joints, 5 without.
       unsigned int maximum_order = 0;
-      /// Samples of a duty cycle, at equal times.
+      /// Samples of a duty cycle, at equal times; at least.
       unsigned int samples_per_cycle = 72;
+      /// Error that they may leave in the wear before twice as many are taken
+      /// [-]; 0: they are as many as asked for.
+      double sampling_tolerance = 0.;
       /// Largest change of a joint force from one cycle to the next, relative
       /// to the largest force, that counts as repeating [-].
       double settling_tolerance = 5e-3;

@@ -5,12 +5,15 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace Tribody
 {
   namespace Multibody
   {
     class EquationsOfMotion;
     struct Accelerations;
+    struct JointContact;
     struct MechanismState;
 
     /// What joints and drivers transmit at one instant, in global axes.
@@ -30,11 +33,12 @@ namespace Tribody
     };
 
     /// The reactions at @p state, where the multipliers are those of
-    /// @p accelerations.
+    /// @p accelerations, and @p contacts those of the clearance joints.
     Reactions
-    compute_reactions(const EquationsOfMotion &equations,
-                      const MechanismState    &state,
-                      const Accelerations     &accelerations);
+    compute_reactions(const EquationsOfMotion         &equations,
+                      const MechanismState            &state,
+                      const Accelerations             &accelerations,
+                      const std::vector<JointContact> &contacts);
   } // namespace Multibody
 } // namespace Tribody
 

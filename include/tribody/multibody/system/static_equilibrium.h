@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_multibody_motion_static_equilibrium_h
-#define tribody_multibody_motion_static_equilibrium_h
+#ifndef tribody_multibody_system_static_equilibrium_h
+#define tribody_multibody_system_static_equilibrium_h
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_multibody_motion_slow_motion_start_h
-#define tribody_multibody_motion_slow_motion_start_h
+#ifndef tribody_multibody_following_slow_motion_start_h
+#define tribody_multibody_following_slow_motion_start_h
 
 #include <tribody/base/solver_report.h>
 #include <tribody/multibody/system/mechanism_state.h>

@@ -5,10 +5,10 @@
 #include <Eigen/QR>
 
 #include <tribody/base/significant_digits.h>
-#include <tribody/multibody/motion/static_equilibrium.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
+#include <tribody/multibody/system/static_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,8 @@
 #include <Eigen/LU>
 
 #include <tribody/base/exceptions.h>
-#include <tribody/multibody/motion/slow_motion_start.h>
+#include <tribody/multibody/following/resting_pin.h>
+#include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
@@ -39,34 +40,6 @@ namespace Tribody
                                     std::tgamma(k - order + 1.);
             }
         return derivatives * powers.inverse();
-      }
-
-
-
-      // Where the pin rests in the bushing's frame under a normal force in the
-      // direction n while its penetration changes at the given rate.
-      Eigen::Vector2d
-      find_position(const ClearanceJoint  &joint,
-                    const JointCondition  &condition,
-                    const double           normal_force,
-                    const Eigen::Vector2d &n,
-                    const double           alpha,
-                    const double           rate)
-      {
-        if (condition.support == nullptr)
-          return condition.surfaces.find_position(
-            n,
-            compute_penetration(joint.contact_law,
-                                normal_force,
-                                rate,
-                                joint.minimum_approach_speed),
-            alpha);
-        const double factor =
-          compute_normal_force(joint.contact_law,
-                               {1., rate, joint.minimum_approach_speed, 1.})
-            .value;
-        return condition.support->find_position(normal_force / factor * n,
-                                                alpha);
       }
 
 
@@ -204,53 +177,22 @@ namespace Tribody
           equations.mechanism().clearance_joints()[index];
         const Motion         &motion   = motions[k];
         const Eigen::Vector2d reaction = motion.multipliers.segment<2>(rows[j]);
-        const double          force    = reaction.norm();
         const JointContact    contact  = equations.compute_contact(
           index, motion.q, motion.v, joint.minimum_approach_speed);
 
-        // The reaction is F_N (n + ratio k x n).
-        const double friction_ratio =
-          compute_friction_ratio(joint.friction_law,
-                                 contact.sliding_speed,
-                                 compute_steady_friction_state(
-                                   joint.friction_law, contact.sliding_speed))
-            .value;
-        double ratio = friction_ratio;
-        if (force > 0)
-          ratio += joint.tangential_damping * contact.swing_speed / force;
-        const double normal_force  = force / std::hypot(1., ratio);
-        const double bushing_angle = (joint.bodies.second == ground_body)
-                                       ? 0.
-                                       : motion.q(3 * joint.bodies.second + 2);
-        const double pin_angle     = (joint.bodies.first == ground_body)
-                                       ? 0.
-                                       : motion.q(3 * joint.bodies.first + 2);
-        const double angle         = std::atan2(reaction.y(), reaction.x()) -
-                             std::atan(ratio) - bushing_angle;
-        const Eigen::Vector2d n(std::cos(angle), std::sin(angle));
-
         // Far from the solution the rate has no meaning yet, and a law may not
         // allow a force at large negative ones.
-        const double          rate      = std::clamp(contact.penetration_rate,
+        const double     rate = std::clamp(contact.penetration_rate,
                                        -0.5 * joint.minimum_approach_speed,
                                        0.5 * joint.minimum_approach_speed);
-        const JointCondition &condition = equations.condition(index);
-        const double          alpha     = pin_angle - bushing_angle;
-        const Eigen::Vector2d e_in_bushing =
-          find_position(joint, condition, normal_force, n, alpha, rate);
-        const SupportedContact at =
-          find_supported_contact(condition, e_in_bushing, alpha);
-        penetrations[j](k) = at.penetration;
-        e[j].col(k)        = turned(e_in_bushing, bushing_angle);
+        const RestingPin pin =
+          find_resting_pin(equations, index, motion, contact, reaction, rate);
+        penetrations[j](k) = pin.penetration;
+        e[j].col(k)        = pin.eccentricity;
 
-        const Eigen::Vector2d of_joint =
-          joint.compute_moments(at,
-                                normal_force,
-                                friction_ratio * normal_force,
-                                (ratio - friction_ratio) * normal_force);
         PairVector moments = PairVector::Zero();
-        moments(2)         = of_joint(0);
-        moments(5)         = of_joint(1);
+        moments(2)         = pin.moments(0);
+        moments(5)         = pin.moments(1);
         joint.bodies.add_to(moments, extra_forces[k]);
       }
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <tribody/base/exceptions.h>
+#include <tribody/base/significant_digits.h>
+#include <tribody/base/units.h>
+#include <tribody/bushing/premises.h>
+
+#include <algorithm>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    double
+    Strains::largest() const
+    {
+      return std::max(pressure, displacement);
+    }
+
+
+
+    void
+    Strains::widen(const Strains &other)
+    {
+      pressure     = std::max(pressure, other.pressure);
+      displacement = std::max(displacement, other.displacement);
+    }
+
+
+
+    Strains
+    compute_strains(const WearingBushing            &bushing,
+                    const Multibody::JointDutyCycle &cycle,
+                    const CycleContact              &contact)
+    {
+      const Material &material = bushing.joint_parameters().bushing_material;
+      Strains         strains;
+      strains.pressure =
+        contact.max_pressure / material.youngs_modulus *
+        (1. - material.poissons_ratio * material.poissons_ratio);
+      if (cycle.has_contact_law)
+        strains.displacement =
+          std::max(0., cycle.penetration.maxCoeff()) / bushing.wall();
+      return strains;
+    }
+
+
+
+    std::string
+    describe(const Strains &strains)
+    {
+      if (strains.largest() <= Strains::noted)
+        return "";
+      return "largest pressure " +
+             significant_digits(100. * strains.pressure, 2) +
+             " % of the bushing's modulus, penetration " +
+             significant_digits(100. * strains.displacement, 2) +
+             " % of its wall: " +
+             (strains.largest() <= Strains::doubtful
+                ? "near the limits of linear elasticity and small displacements"
+                : "linear elasticity and small displacements, which pressures "
+                  "rest on, do not hold; take forces and depths as estimates, "
+                  "or "
+                  "a stiffer or longer bushing");
+    }
+
+
+
+    void
+    check_strains(const Strains &strains, const std::string &bushing)
+    {
+      AssertThrow(strains.largest() <= Strains::largest_allowed,
+                  ExcRun("Bushing " + bushing + ": the largest pressure is " +
+                         significant_digits(100. * strains.pressure, 2) +
+                         " % of its modulus, the penetration " +
+                         significant_digits(100. * strains.displacement, 2) +
+                         " % of its wall. Beyond " +
+                         significant_digits(100. * Strains::largest_allowed) +
+                         " % neither linear elasticity nor small displacements "
+                         "hold, and there is no result. It takes smaller "
+                         "loads or speeds, or a stiffer or larger bushing"));
+    }
+
+
+
+    void
+    check_pin_in_bore(const WearingBushing            &bushing,
+                      const Multibody::JointDutyCycle &cycle,
+                      const Eigen::VectorXd           &time)
+    {
+      if (!cycle.has_gap)
+        return;
+      Eigen::Index sample;
+      const double farthest = cycle.eccentricity.maxCoeff(&sample);
+      const double allowed =
+        bushing.largest_clearance(bushing.depth()) + bushing.wall();
+      AssertThrow(
+        farthest <= allowed,
+        ExcRun("Joint " + bushing.name() + ": at time " +
+               significant_digits(time[sample], 6) + " s the pin's centre is " +
+               Units::to_string(farthest, "m", "mm") +
+               " from the bushing's. Clearance and wall together are " +
+               Units::to_string(allowed, "m", "mm") +
+               ": the pin has left its bore, which its contact force "
+               "law does not hold. Look at loads, speed, radii and "
+               "moduli"));
+    }
+  } // namespace Coupling
+} // namespace Tribody
