@@ -113,10 +113,15 @@ namespace Tribody
       const bool   is_given = parameters.cycle_duration > 0.;
       const double cycle =
         is_given ? parameters.cycle_duration : mechanism.period();
+      // Nothing prescribes the motion of degrees of freedom that ideal joints
+      // leave.
+      const Multibody::Mechanism closed(
+        Multibody::with_ideal_joints(mechanism.parameters()));
       const bool is_integrated =
         parameters.analysis == Multibody::Analysis::dynamic ||
         (parameters.analysis == Multibody::Analysis::automatic &&
-         parameters.joint_motion == Multibody::JointMotion::dynamic);
+         (parameters.joint_motion == Multibody::JointMotion::dynamic ||
+          closed.n_degrees_of_freedom() != 0));
       const auto &names = mechanism.parameters();
       for (std::size_t i = 0; i < names.forces.size(); ++i)
         check_function(mechanism.applied_forces()[i].function,

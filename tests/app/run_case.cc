@@ -189,7 +189,7 @@ print_bushing(const BushingResults &results,
     return;
   const double expected  = read_column(depth_reference, "depth [um]").at(0);
   const double tolerance = read_column(depth_reference, "tolerance [-]").at(0);
-  std::cout << "  closed form: depth within its tolerance "
+  std::cout << "  reference: depth within its tolerance "
             << (std::abs(1e6 * bushing.max_wear_depth / expected - 1.) <
                 tolerance)
             << std::endl;
