@@ -236,6 +236,7 @@ namespace Tribody
           {"settled", state.dynamics.all_settled},
           {"message", state.dynamics.settling_message},
           {"settling_relative_difference", settling.repeat_difference},
+          {"settling_distance", settling.distance},
           {"settling_cycles", settling.n_cycles},
           {"averaged_cycles", settling.n_averaged_cycles},
           {"integration_steps", statistics.n_steps},

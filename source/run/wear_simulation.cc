@@ -473,7 +473,7 @@ namespace Tribody
             reach_of(state().joints[j].contact);
       Multibody::DutyCycle cycle;
       Ranks::run_together(communicator, [&]() {
-        cycle = dynamics.run(clearances, supports, arcs);
+        cycle = dynamics.run(clearances, supports, arcs, &state().duty_cycle);
       });
       take_forces_of_first_rank(cycle, communicator);
 

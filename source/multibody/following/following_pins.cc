@@ -183,9 +183,22 @@ namespace Tribody
       const Eigen::VectorXd         zero = Eigen::VectorXd::Zero(q.size());
       const std::vector<RestingPin> pins =
         rest_pins({q, zero, zero, multipliers});
-      ConstraintOffsets offsets(closed.mechanism().n_constraints());
+      Eigen::Matrix2Xd eccentricities(2, pins.size());
       for (std::size_t p = 0; p < pins.size(); ++p)
-        offsets.value.segment<2>(rows[p]) = pins[p].eccentricity;
+        eccentricities.col(p) = pins[p].eccentricity;
+      return place_at(t, q, eccentricities);
+    }
+
+
+
+    Eigen::VectorXd
+    FollowingPins::place_at(const double            t,
+                            const Eigen::VectorXd  &q,
+                            const Eigen::Matrix2Xd &eccentricities) const
+    {
+      ConstraintOffsets offsets(closed.mechanism().n_constraints());
+      for (std::size_t p = 0; p < rows.size(); ++p)
+        offsets.value.segment<2>(rows[p]) = eccentricities.col(p);
       Eigen::VectorXd    result = q;
       const SolverReport report = solve_positions(closed, t, offsets, result);
       AssertThrow(report.converged,

@@ -118,10 +118,12 @@ namespace Tribody
           "Settling tolerance",
           p.settling_tolerance,
           "",
-          "A motion counts as settled when the joint forces, seen from the "
-          "bushing, differ from those of the cycle before by less than this "
-          "part of the largest force, and the speeds at which pins turn in "
-          "their bushings likewise.");
+          "A motion counts as settled when it is nearer than this to one that "
+          "repeats: joint forces, seen from the bushing, speeds at which pins "
+          "turn in their bushings, and velocities of bodies, each relative to "
+          "its largest. The distance follows from the changes of the last two "
+          "cycles and the rate at which they decay; a change below a "
+          "thousandth of this counts as none.");
         Parameters::add_integer(
           prm,
           "Maximum settling cycles",
@@ -137,12 +139,12 @@ namespace Tribody
           "Averaged cycles",
           p.averaged_cycles,
           "If the motion does not repeat within the settling tolerance: number "
-          "of cycles that are recorded after that. All their samples make up "
-          "the "
-          "duty cycle, each with its share of one cycle's sliding; means are "
-          "over "
-          "all of them, and their scatter from cycle to cycle is reported. 1 "
-          "takes the last cycle as it is.",
+          "of cycles that are recorded after that, at most: from five on, they "
+          "end when twice the standard error of the mean of normal force times "
+          "sliding is within the settling tolerance. All their samples make up "
+          "the duty cycle, each with its share of one cycle's sliding; means "
+          "are over all of them, and their scatter from cycle to cycle is "
+          "reported. 1 takes the last cycle as it is.",
           1,
           10000);
         Parameters::add_integer(prm,

@@ -97,6 +97,14 @@ namespace Tribody
             const Eigen::VectorXd &q,
             const Eigen::VectorXd &multipliers) const;
 
+      /// The configuration near @p q at time @p t [s] with pins at the given
+      /// @p eccentricities in global axes [m], a column per joint with a gap.
+      /// @throws ExcRun if there is none.
+      Eigen::VectorXd
+      place_at(const double            t,
+               const Eigen::VectorXd  &q,
+               const Eigen::Matrix2Xd &eccentricities) const;
+
       /// By how much the reactions at @p instant change [N], a column per joint
       /// with a gap, if the pins have the further accelerations @p e_tt
       /// [m/s^2].

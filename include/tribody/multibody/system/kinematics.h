@@ -62,8 +62,15 @@ namespace Tribody
                        const ConstraintOffsets &offsets,
                        const Eigen::VectorXd   &q);
 
-    /// The velocities nearest to the initial ones of the parameters (in the
-    /// same sense) with Phi_q v + Phi_t = 0.
+    /// The velocities nearest to @p v (in the same sense) with
+    /// Phi_q v + Phi_t = 0.
+    Eigen::VectorXd
+    compute_nearest_velocities(const EquationsOfMotion &equations,
+                               const double             t,
+                               const Eigen::VectorXd   &q,
+                               const Eigen::VectorXd   &v);
+
+    /// Those nearest to the initial ones of the parameters.
     Eigen::VectorXd
     compute_initial_velocities(const EquationsOfMotion &equations,
                                const double             t,
