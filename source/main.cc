@@ -6,6 +6,7 @@
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 #include <tribody/run/command_line.h>
 
@@ -34,6 +35,13 @@ main(int argc, char **argv)
     {
       return Ranks::fail("Error in the input: " + message_of(exception),
                          2,
+                         MPI_COMM_WORLD);
+    }
+  catch (const ExcInterrupted &interruption)
+    {
+      return Ranks::fail("The run was " + message_of(interruption) +
+                           "; what it had reached is written.",
+                         128 + interruption.signal,
                          MPI_COMM_WORLD);
     }
   catch (const dealii::ExceptionBase &exception)

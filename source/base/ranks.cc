@@ -5,6 +5,7 @@
 #include <boost/serialization/utility.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 
 #include <algorithm>
@@ -60,8 +61,12 @@ namespace Tribody
 
 
 
-      bool
-      is_about_input(const std::exception_ptr &failure)
+      // What ranks tell each other of a failure.
+      constexpr int about_run = 0, about_input = -1;
+
+      /// One of these, or the signal that has interrupted the work.
+      int
+      kind_of(const std::exception_ptr &failure)
       {
         try
           {
@@ -69,11 +74,15 @@ namespace Tribody
           }
         catch (const ExcInput &)
           {
-            return true;
+            return about_input;
+          }
+        catch (const ExcInterrupted &interruption)
+          {
+            return interruption.signal;
           }
         catch (...)
           {
-            return false;
+            return about_run;
           }
       }
 
@@ -140,16 +149,18 @@ namespace Tribody
       if (first_failed == n)
         return;
 
-      std::pair<bool, std::string> own;
+      std::pair<int, std::string> own;
       if (first_failed == this_rank(communicator))
-        own = {is_about_input(failure), describe(failure)};
-      const auto [about_input, message] =
+        own = {kind_of(failure), describe(failure)};
+      const auto [kind, message] =
         dealii::Utilities::MPI::broadcast(communicator, own, first_failed);
       if (failure)
         std::rethrow_exception(failure);
-      if (about_input)
+      if (kind == about_input)
         throw ExcInput(message);
-      throw ExcRun(message);
+      if (kind == about_run)
+        throw ExcRun(message);
+      throw ExcInterrupted(kind);
     }
 
 

@@ -2,14 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include <tribody/base/exceptions.h>
 #include <tribody/base/units.h>
 #include <tribody/base/version.h>
+#include <tribody/base/whole_file.h>
 #include <tribody/results/summary_json.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
+#include <ostream>
 
 namespace Tribody
 {
@@ -302,9 +302,8 @@ namespace Tribody
       // Text from the parameter file may be in any encoding.
       const std::string text =
         json.dump(2, ' ', false, Json::error_handler_t::replace);
-      std::ofstream file(file_name);
-      file << text << std::endl;
-      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      write_whole_file(file_name,
+                       [&text](std::ostream &file) { file << text << '\n'; });
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+
 #include <boost/program_options.hpp>
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/version.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/output/output_directory.h>
@@ -88,7 +91,7 @@ namespace Tribody
           console.out() << "Usage: tribody [options] FILE.prm\n"
                         << visible
                         << "Exit status: 0 done, 1 the run failed, 2 bad input "
-                           "or usage"
+                           "or usage, 128 + n stopped by signal n"
                         << std::endl;
           return 0;
         }
@@ -124,10 +127,17 @@ namespace Tribody
 
       Output::OutputDirectory directory(parameters.output_directory,
                                         communicator);
+      const bool              only_checks = options.count("check") > 0;
+      if (!only_checks)
+        {
+          watch_for_interruption(
+            dealii::Utilities::MPI::this_mpi_process(communicator) == 0);
+          directory.take();
+        }
       console.out() << parameters.title << std::endl;
       WearSimulation simulation(parameters, console, communicator);
       simulation.print_setup();
-      if (options.count("check") > 0)
+      if (only_checks)
         console.out() << "The file is in order; nothing was run." << std::endl;
       else
         simulation.run(directory);

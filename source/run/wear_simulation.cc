@@ -291,21 +291,19 @@ namespace Tribody
       RunRecorder recorder(
         parameters, mechanism, directory, console, communicator);
       Ranks::run_together(communicator, [&]() { recorder.start(); });
-      watch_for_interruption();
       RunResults results;
       try
         {
           run_cycles(recorder);
           const RunResults reached = this->results();
-          Ranks::run_together(communicator, [&]() { check_results(reached); });
+          Ranks::run_together(communicator, [&]() {
+            check_results(reached);
+            check_files(directory);
+          });
           Ranks::run_together(communicator, [&]() {
             results =
-              is_over()
-                ? conclude(directory, recorder, reached.status, reached.message)
-                : conclude(directory,
-                           recorder,
-                           RunStatus::stopped,
-                           "interrupted by a signal");
+              conclude(directory, recorder, reached.status, reached.message);
+            check_files(directory);
           });
         }
       catch (const std::exception &exception)
@@ -315,9 +313,6 @@ namespace Tribody
         }
       if (parameters.cycles > 0)
         timer.print_summary();
-      AssertThrow(is_over(),
-                  ExcRun("It was interrupted; the results up to there are "
-                         "written."));
       return results;
     }
 
@@ -334,11 +329,10 @@ namespace Tribody
         {
           advance(recorder.next_output());
           recorder.record(state(), process.bushings());
-          const bool is_interrupted = was_interrupted_anywhere();
-          if (is_interrupted || !state().stopped_by.empty())
+          if (!state().stopped_by.empty())
             recorder.record_fields(state(), process.bushings());
-          if (is_interrupted)
-            return;
+          if (!is_over())
+            stop_if_interrupted_anywhere();
         }
     }
 
@@ -349,6 +343,10 @@ namespace Tribody
                                  RunRecorder                   &recorder,
                                  const std::exception          &exception)
     {
+      const RunStatus status =
+        dynamic_cast<const ExcInterrupted *>(&exception) != nullptr
+          ? RunStatus::stopped
+          : RunStatus::failed;
       const auto *ours =
         dynamic_cast<const dealii::ExceptionBase *>(&exception);
       const std::string message =
@@ -360,11 +358,11 @@ namespace Tribody
           if (ours == nullptr)
             {
               // Perhaps on this rank only, which must not wait for others.
-              conclude(directory, recorder, RunStatus::failed, message);
+              conclude(directory, recorder, status, message);
               return;
             }
           Ranks::run_together(communicator, [&]() {
-            conclude(directory, recorder, RunStatus::failed, message);
+            conclude(directory, recorder, status, message);
           });
           recorder.record_fields(state(), process.bushings());
         }
@@ -390,18 +388,34 @@ namespace Tribody
       results.peak_memory_bytes = 1024. * memory.VmHWM;
 
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        write_summary_json(directory.file("summary.json"), parameters, results);
+        {
+          directory.release_reserve();
+          write_summary_json(directory.file("summary.json"),
+                             parameters,
+                             results);
+        }
       print_results(console.out(), parameters, results);
       return results;
     }
 
 
 
-    bool
-    WearSimulation::was_interrupted_anywhere() const
+    void
+    WearSimulation::stop_if_interrupted_anywhere() const
     {
-      return dealii::Utilities::MPI::max(was_interrupted() ? 1 : 0,
-                                         communicator) > 0;
+      const int signal =
+        dealii::Utilities::MPI::max(interrupting_signal(), communicator);
+      if (signal != 0)
+        throw ExcInterrupted(signal);
+    }
+
+
+
+    void
+    WearSimulation::check_files(const Output::OutputDirectory &directory) const
+    {
+      directory.check_complete();
+      AssertThrow(console.log_error().empty(), ExcRun(console.log_error()));
     }
 
 

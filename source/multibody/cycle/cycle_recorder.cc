@@ -3,6 +3,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
@@ -115,6 +116,7 @@ namespace Tribody
                           const std::vector<JointContact> &joint_contacts,
                           const EquationsOfMotion         &present)
     {
+      stop_if_interrupted();
       check_pins(state.time, joint_contacts);
       times(k) = state.time;
       q.col(k) = state.q;

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/multibody/following/resting_pin.h>
 #include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/system/equations_of_motion.h>
@@ -227,6 +228,7 @@ namespace Tribody
         constexpr double       tolerance      = 1e-8;
         while (!report.converged && report.n_iterations < max_iterations)
           {
+            stop_if_interrupted();
             update_motion();
             report.residual  = update_eccentricities();
             report.converged = report.residual < tolerance;

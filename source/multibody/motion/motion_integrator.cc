@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/multibody/motion/energy_account.h>
 #include <tribody/multibody/motion/motion_integrator.h>
@@ -400,6 +401,7 @@ namespace Tribody
       unsigned long n_steps = n_steps_before;
       while (ida->time() < t && !stop_is_pending)
         {
+          stop_if_interrupted();
           book_energy(ida->time());
           if (restart_is_pending)
             {

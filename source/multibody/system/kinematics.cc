@@ -5,6 +5,7 @@
 #include <Eigen/SparseLU>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/solver_report.h>
 #include <tribody/multibody/system/constraint_gaps.h>
@@ -115,6 +116,8 @@ namespace Tribody
                     const ConstraintOffsets &offsets,
                     Eigen::VectorXd         &q)
     {
+      // Every search for a position goes through here.
+      stop_if_interrupted();
       const Mechanism &mechanism = equations.mechanism();
       SolverReport     report;
       Eigen::VectorXd  phi(mechanism.n_constraints());

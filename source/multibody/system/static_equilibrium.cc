@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
@@ -339,6 +340,7 @@ namespace Tribody
         for (; report.n_iterations < max_iterations && std::isfinite(sigma);
              ++report.n_iterations)
           {
+            stop_if_interrupted();
             const double    shift = compute_shift(balance, sigma);
             Eigen::VectorXd step  = compute_step(balance, shift);
             if (has_converged(balance, shift, step))
