@@ -201,15 +201,19 @@ namespace Tribody
                            " does not start with a finite "
                            "number; write for example " +
                            example_of_one));
-      AssertThrow(result.ec != std::errc::result_out_of_range &&
+      const std::string number = text.substr(0, result.ptr - text.data());
+      // Not every library says that a number has become zero.
+      const bool is_nothing =
+        value == 0. && number.substr(0, number.find_first_of("eE"))
+                           .find_first_of("123456789") != std::string::npos;
+      AssertThrow(result.ec != std::errc::result_out_of_range && !is_nothing &&
                     is_of_usual_size(value),
                   ExcInput(in_quotes(text) +
                            " starts with a number that is too large or too "
                            "small; numbers may be from 1e-100 to 1e100, or 0"));
-      const std::size_t length = result.ptr - text.data();
       return {value,
-              text.substr(0, length),
-              boost::algorithm::trim_copy(text.substr(length))};
+              number,
+              boost::algorithm::trim_copy(text.substr(number.size()))};
     }
 
 
@@ -217,7 +221,9 @@ namespace Tribody
     std::string
     example(const std::string &number, const std::string &si_unit)
     {
-      return "'" + number + (si_unit.empty() ? "" : " " + si_unit) + "'";
+      constexpr std::size_t max_length = 20;
+      return "'" + (number.size() <= max_length ? number : "1") +
+             (si_unit.empty() ? "" : " " + si_unit) + "'";
     }
 
     // Convert with UDUNITS' own converter, which knows offsets and scales.

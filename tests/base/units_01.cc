@@ -101,11 +101,11 @@ main()
                            "0x10 g",
                            "1 g 5",
                            "1 kg/(100 g) kg",
-                           "5 % kg",
                            "inf kg",
                            "-inf kg",
                            "+-5 kg",
                            "5 lg(re 1 kg)",
+                           "5 lg(re kg)",
                            "5 kg @ 3",
                            "5 s since 2000-01-01",
                            "",
@@ -123,11 +123,11 @@ main()
     refuse(text, "kg");
   refuse("1e200", "");
   // Logarithms in each other fill any buffer.
-  std::string nested = "1 kg";
+  std::string nested = "kg";
   for (unsigned int i = 0; i < 60; ++i)
     nested = "lg(re " + nested + ")";
   refuse("0.5 " + nested, "kg");
-  refuse("0.5 lg(re lg(re 1 kg))", "kg");
+  refuse("0.5 lg(re lg(re kg))", "kg");
 
   // What is written reads back to a few roundings of the conversion.
   for (const double value : {9.535e-3, 1. / 3., 5.05e-13, -0.})
