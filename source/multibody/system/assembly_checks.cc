@@ -45,15 +45,16 @@ namespace Tribody
         Eigen::VectorXd columns = Eigen::VectorXd::Ones(q.size());
         for (Eigen::Index i = 2; i < q.size(); i += 3)
           columns(i) = 1. / mechanism.size();
-        Eigen::SparseMatrix<double> jacobian =
+        const Eigen::SparseMatrix<double> jacobian =
           compute_sparse_jacobian(equations, q) * columns.asDiagonal();
         const Eigen::VectorXd lengths =
           (jacobian.cwiseProduct(jacobian) * Eigen::VectorXd::Ones(q.size()))
             .cwiseSqrt();
         if (lengths.minCoeff() == 0.)
           return false;
-        jacobian = lengths.cwiseInverse().asDiagonal() * jacobian;
-        return rows_are_independent(jacobian, threshold);
+        return rows_are_independent(lengths.cwiseInverse().asDiagonal() *
+                                      jacobian,
+                                    threshold);
       }
 
 
