@@ -6,6 +6,7 @@
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/foreign_exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 #include <tribody/run/command_line.h>
@@ -52,7 +53,7 @@ main(int argc, char **argv)
     }
   catch (const std::exception &exception)
     {
-      return Ranks::fail(std::string("The run failed: ") + exception.what(),
+      return Ranks::fail("The run failed: " + describe_foreign(exception),
                          1,
                          MPI_COMM_WORLD);
     }

@@ -5,6 +5,8 @@
 #include <boost/serialization/utility.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/foreign_exceptions.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 
@@ -55,7 +57,7 @@ namespace Tribody
           }
         catch (const std::exception &exception)
           {
-            return exception.what();
+            return describe_foreign(exception);
           }
       }
 
@@ -84,6 +86,19 @@ namespace Tribody
           {
             return about_run;
           }
+      }
+
+
+
+      /// What to write to the screen: a text that nobody foresaw may be long or
+      /// command the terminal.
+      std::string
+      to_show(const std::string &message)
+      {
+        constexpr std::size_t max_length = 1000;
+        return printable(message.size() <= max_length
+                           ? message
+                           : message.substr(0, max_length) + " ...");
       }
 
 
@@ -227,7 +242,7 @@ namespace Tribody
     {
       const unsigned int rank = this_rank(communicator);
       if (rank == 0)
-        std::cerr << message << std::endl;
+        std::cerr << to_show(message) << std::endl;
       if (n_ranks(communicator) == 1)
         return status;
 
@@ -247,7 +262,8 @@ namespace Tribody
       if (all_failed == 0)
         {
           if (rank != 0)
-            std::cerr << "Rank " << rank << " alone: " << message << std::endl;
+            std::cerr << "Rank " << rank << " alone: " << to_show(message)
+                      << std::endl;
           MPI_Abort(communicator, status);
         }
       return status;

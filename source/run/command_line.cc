@@ -6,8 +6,10 @@
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/version.h>
+#include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/output/output_directory.h>
 #include <tribody/run/command_line.h>
@@ -74,6 +76,21 @@ namespace Tribody
           }
         return options;
       }
+
+
+
+      // Before it is taken, as that may last.
+      void
+      tell_memory(const CaseParameters &parameters,
+                  const bool            always,
+                  Console              &console)
+      {
+        constexpr double much   = 1e9;
+        const double     needed = estimate_memory(parameters);
+        if (always || needed > much)
+          console.out() << "Memory: about " << describe_memory(needed)
+                        << " while the case is set up" << std::endl;
+      }
     } // namespace
 
 
@@ -134,7 +151,8 @@ namespace Tribody
             dealii::Utilities::MPI::this_mpi_process(communicator) == 0);
           directory.take();
         }
-      console.out() << parameters.title << std::endl;
+      console.out() << printable(parameters.title) << std::endl;
+      tell_memory(parameters, only_checks, console);
       WearSimulation simulation(parameters, console, communicator);
       simulation.print_setup();
       if (only_checks)

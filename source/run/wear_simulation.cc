@@ -4,9 +4,11 @@
 #include <deal.II/base/utilities.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/foreign_exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/bushing/memory_estimate.h>
 #include <tribody/bushing/mesh_resolution.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
@@ -18,6 +20,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <string>
 
@@ -118,15 +121,27 @@ namespace Tribody
           {
             const Multibody::JointParameters &joint =
               parameters.joint(bushing.name);
-            bushings.emplace_back(needs_forces
-                                    ? resolve_contact_arc(bushing,
-                                                          joint,
-                                                          first_cycle.joint(
-                                                            bushing.name))
-                                    : bushing,
-                                  joint,
-                                  parameters.wear.compliance_update,
-                                  communicator);
+            const BushingParameters resolved =
+              needs_forces
+                ? resolve_contact_arc(bushing,
+                                      joint,
+                                      first_cycle.joint(bushing.name))
+                : bushing;
+            try
+              {
+                bushings.emplace_back(resolved,
+                                      joint,
+                                      parameters.wear.compliance_update,
+                                      communicator);
+              }
+            catch (const std::bad_alloc &)
+              {
+                throw ExcRun("Bushing " + bushing.name +
+                             ": there is not enough memory for its mesh and "
+                             "its compliance, about " +
+                             describe_memory(estimate_memory(resolved, joint)) +
+                             ". Fewer 'Mesh/Bore cells' need less.");
+              }
           }
         return bushings;
       }
@@ -350,7 +365,7 @@ namespace Tribody
       const auto *ours =
         dynamic_cast<const dealii::ExceptionBase *>(&exception);
       const std::string message =
-        ours != nullptr ? message_of(*ours) : exception.what();
+        ours != nullptr ? message_of(*ours) : describe_foreign(exception);
       // What made the run fail may make this fail too, a full disk for example;
       // the first failure is the one to report.
       try

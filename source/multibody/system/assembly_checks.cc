@@ -12,6 +12,7 @@
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
+#include <tribody/multibody/system/sparse_jacobian.h>
 
 namespace Tribody
 {
@@ -32,6 +33,32 @@ namespace Tribody
         std::string  names;
       };
 
+      // Without a dense matrix. False may be wrong.
+      bool
+      are_independent(const EquationsOfMotion &equations,
+                      const Eigen::VectorXd   &q,
+                      const double             threshold)
+      {
+        const Mechanism &mechanism = equations.mechanism();
+        if (mechanism.n_constraints() <= largest_dense_jacobian)
+          return false;
+        Eigen::VectorXd columns = Eigen::VectorXd::Ones(q.size());
+        for (Eigen::Index i = 2; i < q.size(); i += 3)
+          columns(i) = 1. / mechanism.size();
+        const Eigen::SparseMatrix<double> jacobian =
+          compute_sparse_jacobian(equations, q) * columns.asDiagonal();
+        const Eigen::VectorXd lengths =
+          (jacobian.cwiseProduct(jacobian) * Eigen::VectorXd::Ones(q.size()))
+            .cwiseSqrt();
+        if (lengths.minCoeff() == 0.)
+          return false;
+        return rows_are_independent(lengths.cwiseInverse().asDiagonal() *
+                                      jacobian,
+                                    threshold);
+      }
+
+
+
       DependentConstraints
       find_dependent_constraints(const EquationsOfMotion &equations,
                                  const Eigen::VectorXd   &q,
@@ -39,7 +66,7 @@ namespace Tribody
       {
         const Mechanism   &mechanism = equations.mechanism();
         const unsigned int m         = mechanism.n_constraints();
-        if (m == 0)
+        if (m == 0 || are_independent(equations, q, threshold))
           return {};
         Eigen::MatrixXd jacobian = compute_scaled_jacobian(equations, q);
         // A row of zeros, of markers that coincide, stays one.

@@ -13,6 +13,7 @@
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
 #include <tribody/multibody/system/mechanism_state.h>
+#include <tribody/multibody/system/sparse_jacobian.h>
 
 namespace Tribody
 {
@@ -20,6 +21,29 @@ namespace Tribody
   {
     namespace
     {
+      // The same as solve_least_norm() for large mechanisms whose constraints
+      // are independent; returns whether this is one.
+      bool
+      solve_least_norm_sparsely(const EquationsOfMotion &equations,
+                                const Eigen::VectorXd   &q,
+                                const Eigen::VectorXd   &right_hand_side,
+                                Eigen::VectorXd         &x)
+      {
+        if (right_hand_side.size() <= largest_dense_jacobian)
+          return false;
+        Eigen::VectorXd scales = Eigen::VectorXd::Ones(q.size());
+        for (Eigen::Index i = 2; i < q.size(); i += 3)
+          scales(i) = 1. / equations.mechanism().size();
+        const Eigen::SparseMatrix<double> scaled =
+          compute_sparse_jacobian(equations, q) * scales.asDiagonal();
+        if (!solve_least_norm(scaled, right_hand_side, x))
+          return false;
+        x = scales.cwiseProduct(x);
+        return true;
+      }
+
+
+
       // The shortest x with Phi_q x = right_hand_side, or the best one.
       Eigen::VectorXd
       solve_least_norm(const EquationsOfMotion &equations,
@@ -29,10 +53,13 @@ namespace Tribody
         const Mechanism &mechanism = equations.mechanism();
         if (mechanism.n_constraints() == 0)
           return Eigen::VectorXd::Zero(mechanism.n_coordinates());
+        Eigen::VectorXd x;
+        if (solve_least_norm_sparsely(equations, q, right_hand_side, x))
+          return x;
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
         solver.setThreshold(1e-10);
         solver.compute(compute_scaled_jacobian(equations, q));
-        Eigen::VectorXd x = solver.solve(right_hand_side);
+        x = solver.solve(right_hand_side);
         for (unsigned int i = 2; i < mechanism.n_coordinates(); i += 3)
           x(i) /= mechanism.size();
         return x;
@@ -175,8 +202,8 @@ namespace Tribody
       const unsigned int m         = mechanism.n_constraints();
       Eigen::VectorXd    phi_t(m), phi_tt(m);
       equations.assemble_time_derivatives(t, phi_t, phi_tt);
-      Eigen::MatrixXd phi_q(m, mechanism.n_coordinates());
-      equations.assemble_constraint_jacobian(q, phi_q);
+      const Eigen::SparseMatrix<double> phi_q =
+        compute_sparse_jacobian(equations, q);
       return v + solve_least_norm(equations, q, -phi_t - phi_q * v);
     }
 

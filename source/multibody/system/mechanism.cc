@@ -96,16 +96,17 @@ namespace Tribody
     {
       if (name == "ground")
         return ground_body;
-      std::vector<std::string> names = {"ground"};
-      for (unsigned int i = 0; i < the_parameters.bodies.size(); ++i)
-        if (the_parameters.bodies[i].name == name)
-          return i;
-        else
-          names.push_back(the_parameters.bodies[i].name);
+      const auto &bodies = the_parameters.bodies;
+      const auto  found =
+        std::find_if(bodies.begin(), bodies.end(), [&name](const auto &body) {
+          return body.name == name;
+        });
+      if (found != bodies.end())
+        return static_cast<int>(found - bodies.begin());
 
-      std::string valid;
-      for (const std::string &candidate : names)
-        valid += (valid.empty() ? "" : ", ") + candidate;
+      std::string valid = "ground";
+      for (const BodyParameters &body : bodies)
+        valid += ", " + body.name;
       AssertThrow(false,
                   ExcParameter(path,
                                "there is no body '" + name +
