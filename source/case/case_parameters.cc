@@ -12,6 +12,7 @@
 #include <tribody/case/repetition.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/system/mechanism.h>
+#include <tribody/multibody/system/redundancy.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -449,7 +450,9 @@ namespace Tribody
 
         // Markers and bodies that joints, springs and drivers refer to, and
         // whether the mechanism can be assembled.
-        const Multibody::Mechanism mechanism(parameters.mechanism);
+        const Multibody::Mechanism mechanism(
+          Multibody::leave_out_redundant_constraints(parameters.mechanism,
+                                                     parameters.mechanism));
         if (parameters.cycles > 0)
           check_repetition(mechanism, parameters.dynamics);
         const Multibody::CycleSimulation simulation(mechanism,

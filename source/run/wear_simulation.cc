@@ -8,6 +8,7 @@
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/bushing/mesh_resolution.h>
+#include <tribody/multibody/system/redundancy.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
@@ -143,7 +144,9 @@ namespace Tribody
       , timer(console.out(),
               dealii::TimerOutput::never,
               dealii::TimerOutput::wall_times)
-      , mechanism(parameters.mechanism)
+      , mechanism(
+          Multibody::leave_out_redundant_constraints(parameters.mechanism,
+                                                     parameters.mechanism))
       , dynamics(mechanism, make_dynamics_parameters(parameters))
       , process(parameters.wear,
                 make_bushings(parameters, dynamics, communicator))

@@ -11,7 +11,9 @@
 #include <tribody/multibody/motion/energy_account.h>
 #include <tribody/multibody/motion/intermittent_motion.h>
 #include <tribody/multibody/system/assembly_checks.h>
+#include <tribody/multibody/system/given_start.h>
 #include <tribody/multibody/system/kinematics.h>
+#include <tribody/multibody/system/redundancy.h>
 #include <tribody/multibody/system/static_equilibrium.h>
 
 #include <algorithm>
@@ -100,6 +102,17 @@ namespace Tribody
                      " cycles after that";
         return message;
       }
+      // Where gaps allow what closed joints do not, joints that have none
+      // decide.
+      MechanismParameters
+      close_gaps(const Mechanism &mechanism)
+      {
+        return mechanism.has_only_ideal_joints()
+                 ? mechanism.parameters()
+                 : leave_out_redundant_constraints(with_ideal_joints(
+                                                     mechanism.parameters()),
+                                                   mechanism.parameters());
+      }
     } // namespace
 
 
@@ -108,7 +121,7 @@ namespace Tribody
                                      const DynamicsParameters &parameters)
       : mechanism(mechanism)
       , parameters(parameters)
-      , closed_mechanism(with_ideal_joints(mechanism.parameters()))
+      , closed_mechanism(close_gaps(mechanism))
       , closed_equations(closed_mechanism, {})
       , period(cycle_duration(mechanism, parameters))
     {
@@ -117,6 +130,10 @@ namespace Tribody
                                         nominal_clearances(mechanism));
       const Eigen::VectorXd   q = assemble_configuration(closed_equations, 0.);
       check_redundancy(equations, q);
+      premises = describe_left_out(mechanism);
+      if (const std::string change = explain_changed_start(closed_equations, q);
+          !change.empty())
+        premises += (premises.empty() ? "" : "; ") + ("begins where " + change);
       if (!mechanism.has_only_ideal_joints() &&
           closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
@@ -222,6 +239,20 @@ namespace Tribody
     CycleSimulation::run(const Clearances &clearances,
                          const Supports   &supports,
                          const Arcs       &arcs) const
+    {
+      DutyCycle    cycle   = find_cycle(clearances, supports, arcs);
+      std::string &message = cycle.settling.message;
+      if (!premises.empty())
+        message = premises + (message.empty() ? "" : "; ") + message;
+      return cycle;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::find_cycle(const Clearances &clearances,
+                                const Supports   &supports,
+                                const Arcs       &arcs) const
     {
       const EquationsOfMotion equations(mechanism,
                                         collect_clearances(clearances),
@@ -613,6 +644,14 @@ namespace Tribody
       if (parameters.start == MotionStart::centred ||
           mechanism.has_only_ideal_joints())
         return start;
+      if (closed_mechanism.n_left_out() > mechanism.n_left_out())
+        {
+          start.report.message =
+            "with ideal joints the mechanism is overconstrained, so that there "
+            "is no start in slow motion; the pins began in the middle of their "
+            "bushings";
+          return start;
+        }
       if (closed_mechanism.n_degrees_of_freedom() != 0)
         {
           start.report.message =

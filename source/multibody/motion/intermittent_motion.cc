@@ -167,8 +167,10 @@ namespace Tribody
       in_mode.assemble_constraint_jacobian(state.q,
                                            matrix.bottomLeftCorner(m, n));
       matrix.topRightCorner(n, m) = matrix.bottomLeftCorner(m, n).transpose();
-      Eigen::MatrixXd right       = Eigen::MatrixXd::Zero(n + m, 2);
-      right.topRows(n)            = rows.transpose();
+      for (const unsigned int row : mechanism.left_out_rows())
+        matrix(n + row, n + row) = 1.;
+      Eigen::MatrixXd right              = Eigen::MatrixXd::Zero(n + m, 2);
+      right.topRows(n)                   = rows.transpose();
       const Eigen::MatrixXd solution     = matrix.partialPivLu().solve(right);
       const Eigen::Matrix2d inverse_mass = rows * solution.topRows(n);
 

@@ -12,6 +12,7 @@
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
+#include <tribody/multibody/system/redundancy.h>
 
 namespace Tribody
 {
@@ -19,12 +20,6 @@ namespace Tribody
   {
     namespace
     {
-      // Newton's method ends up to 1e-6 of the size away from a singular
-      // position, and the rows of Phi_q are dependent to that only.
-      constexpr double singular_threshold = 1e-5;
-
-
-
       // Constraints that depend on each other at q, and how many are too many.
       struct DependentConstraints
       {
@@ -47,20 +42,40 @@ namespace Tribody
           jacobian.row(i).normalize();
         Eigen::FullPivLU<Eigen::MatrixXd> decomposition(jacobian.transpose());
         decomposition.setThreshold(threshold);
-        if (decomposition.rank() == m)
+        if (decomposition.rank() + mechanism.n_left_out() == m)
           return {};
 
         // Every combination of rows that vanishes shows up in the null space of
         // the transpose; the joints with entries there depend on each other.
+        // The shortest combination says most.
         const Eigen::MatrixXd kernel = decomposition.kernel();
         DependentConstraints  result;
-        result.surplus = m - decomposition.rank();
-        for (const auto &[constraint, row] : mechanism.constraints())
-          if (kernel.middleRows(row, constraint->n_equations)
-                .lpNorm<Eigen::Infinity>() >
-              1e-6 * kernel.lpNorm<Eigen::Infinity>())
-            result.names +=
-              (result.names.empty() ? "" : ", ") + constraint->description;
+        std::size_t           n_named = mechanism.constraints().size() + 1;
+        result.surplus = m - mechanism.n_left_out() - decomposition.rank();
+        for (Eigen::Index k = 0; k < kernel.cols(); ++k)
+          {
+            const double limit = 1e-6 * kernel.col(k).lpNorm<Eigen::Infinity>();
+            std::string  names;
+            std::size_t  n      = 0;
+            bool         is_new = false;
+            for (const auto &[constraint, row] : mechanism.constraints())
+              {
+                const auto part =
+                  kernel.col(k).segment(row, constraint->n_equations);
+                if (part.lpNorm<Eigen::Infinity>() <= limit)
+                  continue;
+                names += (names.empty() ? "" : ", ") + constraint->description;
+                ++n;
+                for (unsigned int i = 0; i < constraint->n_equations; ++i)
+                  is_new = is_new || (std::abs(part(i)) > limit &&
+                                      !constraint->is_left_out(i));
+              }
+            if (is_new && n < n_named)
+              {
+                n_named      = n;
+                result.names = names;
+              }
+          }
         return result;
       }
     } // namespace

@@ -159,6 +159,11 @@ namespace Tribody
                                    element->gather(mu, row)),
                         rates);
         }
+      for (const unsigned int row : system.left_out_rows())
+        {
+          phi(row)      = lambda(row);
+          phi_rate(row) = mu(row);
+        }
     }
 
 
@@ -216,6 +221,11 @@ namespace Tribody
               first.mu + row + k,
               first.q,
               entries);
+        }
+      for (const unsigned int row : system.left_out_rows())
+        {
+          entries.add(first.lambda + row, first.lambda + row, 1.);
+          entries.add(first.mu + row, first.mu + row, 1.);
         }
     }
 

@@ -100,6 +100,12 @@ namespace Tribody
       void
       check_drivers() const;
 
+      // What run() does but for the premises.
+      DutyCycle
+      find_cycle(const Clearances &clearances,
+                 const Supports   &supports,
+                 const Arcs       &arcs) const;
+
       // Nothing but constraints is asked.
       bool
       is_kinematic() const;
@@ -212,6 +218,8 @@ namespace Tribody
       const Mechanism          closed_mechanism;
       const EquationsOfMotion  closed_equations;
       const double             period;
+      // What to say of the mechanism and its start with every cycle.
+      std::string premises;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -126,7 +126,8 @@ namespace Tribody
        * All that the equations of motion in the form of MotionIntegrator
        * contain of the constraints, in one pass: set @p phi to Phi and
        * @p phi_rate to Phi_q v + Phi_t, add Phi_q^T lambda to @p forces and
-       * subtract Phi_q^T mu from @p rates.
+       * subtract Phi_q^T mu from @p rates. Equations that are left out ask for
+       * multipliers of zero.
        */
       void
       assemble_constraint_terms(const double t,

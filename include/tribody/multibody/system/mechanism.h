@@ -108,14 +108,28 @@ namespace Tribody
       }
 
       /**
-       * Coordinates minus constraints. Exact only without redundant
-       * constraints, of which check_redundancy() makes sure.
+       * Coordinates minus constraints that are not left out. Exact only without
+       * redundant constraints, of which check_redundancy() makes sure.
        */
       int
       n_degrees_of_freedom() const
       {
         return static_cast<int>(n_coordinates()) -
-               static_cast<int>(n_equations);
+               static_cast<int>(n_equations) + static_cast<int>(n_left_out());
+      }
+
+      /// Equations in Phi that follow from others and are zero.
+      unsigned int
+      n_left_out() const
+      {
+        return the_left_out.size();
+      }
+
+      /// Their rows.
+      const std::vector<unsigned int> &
+      left_out_rows() const
+      {
+        return the_left_out;
       }
 
       /// What the mechanism was made from.
@@ -283,6 +297,15 @@ namespace Tribody
       void
       add_constraint(const std::shared_ptr<const Constraint> &constraint);
 
+      std::shared_ptr<const Constraint>
+      make_joint_constraint(const JointParameters &joint,
+                            const Marker          &first,
+                            const Marker          &second) const;
+
+      // A length where no body has a marker off its centre of mass.
+      double
+      find_distance() const;
+
       void
       add_spring(const SpringParameters &spring);
 
@@ -305,6 +328,7 @@ namespace Tribody
 
       const MechanismParameters       the_parameters;
       std::vector<NumberedConstraint> the_constraints;
+      std::vector<unsigned int>       the_left_out;
       std::vector<ClearanceJoint>     the_clearance_joints;
       std::vector<ImpactJoint>        the_impact_joints;
       std::vector<JointEntry>         the_joints;
