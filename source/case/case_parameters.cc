@@ -457,6 +457,8 @@ namespace Tribody
           check_repetition(mechanism, parameters.dynamics);
         const Multibody::CycleSimulation simulation(mechanism,
                                                     parameters.dynamics);
+        if (parameters.cycles > 0)
+          simulation.check_repetition();
       }
     } // namespace
 

@@ -146,6 +146,20 @@ namespace Tribody
         check_full_cycle(closed_equations,
                          period,
                          2 * parameters.samples_per_cycle);
+      // Whoever says how long a cycle is may want a part of the motion.
+      if (parameters.cycle_duration == 0 && mechanism.has_turning_driver())
+        check_repetition();
+    }
+
+
+
+    void
+    CycleSimulation::check_repetition() const
+    {
+      if (closed_mechanism.n_degrees_of_freedom() == 0)
+        check_return(closed_equations,
+                     period,
+                     2 * parameters.samples_per_cycle);
     }
 
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -13,6 +15,9 @@
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
 #include <tribody/multibody/system/redundancy.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace Tribody
 {
@@ -78,7 +83,71 @@ namespace Tribody
           }
         return result;
       }
+      // The body that is not where it was, but for whole turns; -1 if all are.
+      int
+      find_body_elsewhere(const Mechanism       &mechanism,
+                          const Eigen::VectorXd &before,
+                          const Eigen::VectorXd &now)
+      {
+        // Times are rounded, and drivers go on over many turns.
+        constexpr double tolerance = 1e-6;
+        for (Eigen::Index i = 0; i < now.size(); i += 3)
+          {
+            const double turned = std::remainder(now(i + 2) - before(i + 2),
+                                                 2 * dealii::numbers::PI);
+            const double moved =
+              (now.segment<2>(i) - before.segment<2>(i)).norm();
+            if (std::abs(turned) > tolerance ||
+                moved > tolerance * mechanism.size())
+              return i / 3;
+          }
+        return -1;
+      }
     } // namespace
+
+
+
+    void
+    check_return(const EquationsOfMotion &equations,
+                 const double             period,
+                 const unsigned int       n_steps)
+    {
+      constexpr unsigned int  most_cycles = 24;
+      const Mechanism        &mechanism   = equations.mechanism();
+      const ConstraintOffsets none(mechanism.n_constraints());
+      const Eigen::VectorXd   start = assemble_configuration(equations, 0.);
+      Eigen::VectorXd         q     = start;
+      int                     first_elsewhere = -1;
+      unsigned int            cycle           = 0;
+      bool                    is_back         = false;
+      while (!is_back && cycle < most_cycles)
+        {
+          for (unsigned int k = 1; k <= n_steps; ++k)
+            if (!solve_positions(
+                   equations, (cycle + 1. * k / n_steps) * period, none, q)
+                   .converged)
+              cycle = most_cycles;
+          ++cycle;
+          const int body = find_body_elsewhere(mechanism, start, q);
+          is_back        = body < 0;
+          if (cycle == 1)
+            first_elsewhere = body;
+        }
+      if (first_elsewhere < 0 && cycle == 1)
+        return;
+      throw ExcParameter(
+        "Drivers",
+        "do not bring the mechanism back to where it began after a cycle of " +
+          significant_digits(period, 6) + " s: body '" +
+          mechanism.parameters().bodies[std::max(0, first_elsewhere)].name +
+          "' is elsewhere" +
+          (is_back
+             ? ". All are back after " + significant_digits(cycle * period, 6) +
+                 " s: write that in 'Dynamics/Cycle duration'"
+             : ", and not all are back after " + std::to_string(most_cycles) +
+                 " cycles either. Set 'Dynamics/Cycle duration' to a "
+                 "time after which all repeats"));
+    }
 
 
 

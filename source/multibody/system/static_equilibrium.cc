@@ -42,6 +42,8 @@ namespace Tribody
         double          least_stiffness = 0.;
         double          stiffness_scale = 0.;
         Eigen::VectorXd softest_direction;
+        // What rounding of coordinates and reactions leaves of the forces [N].
+        double rounding = 0.;
 
         double
         residual() const
@@ -210,6 +212,10 @@ namespace Tribody
         balance.free_forces = balance.free.transpose() * balance.forces;
         if (balance.free.cols() == 0)
           return balance;
+        constexpr double epsilon = 10 * std::numeric_limits<double>::epsilon();
+        balance.rounding =
+          epsilon * (balance.force_scale +
+                     (columns * balance.multipliers).cwiseAbs().sum());
 
         // Of the Jacobian of a motion, the block of forces by coordinates.
         Eigen::MatrixXd jacobian =
@@ -233,6 +239,8 @@ namespace Tribody
         balance.least_stiffness   = eigen.eigenvalues()(0);
         balance.stiffness_scale   = eigen.eigenvalues().cwiseAbs().maxCoeff();
         balance.softest_direction = eigen.eigenvectors().col(0);
+        balance.rounding += epsilon * balance.stiffness_scale *
+                            q.cwiseProduct(scales).lpNorm<Eigen::Infinity>();
         return balance;
       }
 
@@ -257,8 +265,7 @@ namespace Tribody
           applied_forces(q_new).cwiseQuotient(scales);
         const double work = moved.dot(balance.forces + forces_new) / 2;
         // At the end, forces are rounding and their work has no sign.
-        const double rounding = 1e-14 * balance.force_scale * moved.norm();
-        if (work < -rounding)
+        if (work < -balance.rounding * moved.norm())
           return false;
         q = q_new;
         return true;
@@ -317,7 +324,8 @@ namespace Tribody
                                   const double           shift,
                                   const Eigen::VectorXd &step) const
       {
-        if (balance.residual() < tolerance)
+        if (balance.residual() < tolerance ||
+            balance.free_forces.norm() < balance.rounding)
           return true;
         // Stiff contacts: rounding of the positions leaves forces.
         return shift == 0. && step.norm() < 1e-14 * mechanism.size() &&

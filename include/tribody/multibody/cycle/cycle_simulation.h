@@ -82,6 +82,11 @@ namespace Tribody
           const Supports   &supports   = {},
           const Arcs       &arcs       = {}) const;
 
+      /// Make sure that a motion which the drivers prescribe repeats with the
+      /// cycle, as wear takes for granted. @throws ExcParameter.
+      void
+      check_repetition() const;
+
       /// Of the joints as manufactured.
       std::vector<ReferenceScale>
       reference_scales(const Supports &supports = {}) const;

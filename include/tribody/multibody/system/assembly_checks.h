@@ -25,6 +25,16 @@ namespace Tribody
                      const unsigned int       n_steps);
 
     /**
+     * Make sure that such a mechanism is back where it began after the time
+     * @p period, but for whole turns. @throws ExcParameter naming the body that
+     * is not and, if it is found, the time after which all are.
+     */
+    void
+    check_return(const EquationsOfMotion &equations,
+                 const double             period,
+                 const unsigned int       n_steps);
+
+    /**
      * Make sure that the accelerations are determined: what the constraints
      * leave free at @p q must have a mass. @throws ExcParameter naming a body
      * without.
