@@ -10,9 +10,9 @@
 #include <tribody/base/units.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/case/repetition.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/system/mechanism.h>
-#include <tribody/multibody/system/redundancy.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -8,7 +8,7 @@
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/bushing/mesh_resolution.h>
-#include <tribody/multibody/system/redundancy.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>

@@ -24,13 +24,13 @@
 
 #include "report.h"
 #include <tribody/base/exceptions.h>
+#include <tribody/multibody/assembly/assembly_checks.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
-#include <tribody/multibody/system/assembly_checks.h>
 #include <tribody/multibody/system/given_start.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
-#include <tribody/multibody/system/redundancy.h>
 #include <tribody/multibody/system/static_equilibrium.h>
 
 #include <cmath>

@@ -2,6 +2,8 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/multibody/assembly/assembly_checks.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
@@ -10,10 +12,8 @@
 #include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/motion/energy_account.h>
 #include <tribody/multibody/motion/intermittent_motion.h>
-#include <tribody/multibody/system/assembly_checks.h>
 #include <tribody/multibody/system/given_start.h>
 #include <tribody/multibody/system/kinematics.h>
-#include <tribody/multibody/system/redundancy.h>
 #include <tribody/multibody/system/static_equilibrium.h>
 
 #include <algorithm>

@@ -9,12 +9,12 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/solver_report.h>
-#include <tribody/multibody/system/assembly_checks.h>
+#include <tribody/multibody/assembly/assembly_checks.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/system/constraint_gaps.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
-#include <tribody/multibody/system/redundancy.h>
 
 #include <algorithm>
 #include <cmath>

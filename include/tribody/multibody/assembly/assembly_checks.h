@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_multibody_system_assembly_checks_h
-#define tribody_multibody_system_assembly_checks_h
+#ifndef tribody_multibody_assembly_assembly_checks_h
+#define tribody_multibody_assembly_assembly_checks_h
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_multibody_system_redundancy_h
-#define tribody_multibody_system_redundancy_h
+#ifndef tribody_multibody_assembly_redundancy_h
+#define tribody_multibody_assembly_redundancy_h
 
 #include <tribody/multibody/system/mechanism_parameters.h>
 
