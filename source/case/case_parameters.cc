@@ -451,8 +451,7 @@ namespace Tribody
         // Markers and bodies that joints, springs and drivers refer to, and
         // whether the mechanism can be assembled.
         const Multibody::Mechanism mechanism(
-          Multibody::leave_out_redundant_constraints(parameters.mechanism,
-                                                     parameters.mechanism));
+          Multibody::count_redundant_constraints(parameters.mechanism));
         if (parameters.cycles > 0)
           check_repetition(mechanism, parameters.dynamics);
         const Multibody::CycleSimulation simulation(mechanism,

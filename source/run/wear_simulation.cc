@@ -144,9 +144,7 @@ namespace Tribody
       , timer(console.out(),
               dealii::TimerOutput::never,
               dealii::TimerOutput::wall_times)
-      , mechanism(
-          Multibody::leave_out_redundant_constraints(parameters.mechanism,
-                                                     parameters.mechanism))
+      , mechanism(Multibody::count_redundant_constraints(parameters.mechanism))
       , dynamics(mechanism, make_dynamics_parameters(parameters))
       , process(parameters.wear,
                 make_bushings(parameters, dynamics, communicator))

@@ -3,7 +3,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <tribody/base/exceptions.h>
@@ -25,64 +24,6 @@ namespace Tribody
   {
     namespace
     {
-      // Constraints that depend on each other at q, and how many are too many.
-      struct DependentConstraints
-      {
-        unsigned int surplus = 0;
-        std::string  names;
-      };
-
-      DependentConstraints
-      find_dependent_constraints(const EquationsOfMotion &equations,
-                                 const Eigen::VectorXd   &q,
-                                 const double             threshold)
-      {
-        const Mechanism   &mechanism = equations.mechanism();
-        const unsigned int m         = mechanism.n_constraints();
-        if (m == 0)
-          return {};
-        Eigen::MatrixXd jacobian = compute_scaled_jacobian(equations, q);
-        // A row of zeros, of markers that coincide, stays one.
-        for (unsigned int i = 0; i < m; ++i)
-          jacobian.row(i).normalize();
-        Eigen::FullPivLU<Eigen::MatrixXd> decomposition(jacobian.transpose());
-        decomposition.setThreshold(threshold);
-        if (decomposition.rank() + mechanism.n_left_out() == m)
-          return {};
-
-        // Every combination of rows that vanishes shows up in the null space of
-        // the transpose; the joints with entries there depend on each other.
-        // The shortest combination says most.
-        const Eigen::MatrixXd kernel = decomposition.kernel();
-        DependentConstraints  result;
-        std::size_t           n_named = mechanism.constraints().size() + 1;
-        result.surplus = m - mechanism.n_left_out() - decomposition.rank();
-        for (Eigen::Index k = 0; k < kernel.cols(); ++k)
-          {
-            const double limit = 1e-6 * kernel.col(k).lpNorm<Eigen::Infinity>();
-            std::string  names;
-            std::size_t  n      = 0;
-            bool         is_new = false;
-            for (const auto &[constraint, row] : mechanism.constraints())
-              {
-                const auto part =
-                  kernel.col(k).segment(row, constraint->n_equations);
-                if (part.lpNorm<Eigen::Infinity>() <= limit)
-                  continue;
-                names += (names.empty() ? "" : ", ") + constraint->description;
-                ++n;
-                for (unsigned int i = 0; i < constraint->n_equations; ++i)
-                  is_new = is_new || (std::abs(part(i)) > limit &&
-                                      !constraint->is_left_out(i));
-              }
-            if (is_new && n < n_named)
-              {
-                n_named      = n;
-                result.names = names;
-              }
-          }
-        return result;
-      }
       // The body that is not where it was, but for whole turns; -1 if all are.
       int
       find_body_elsewhere(const Mechanism       &mechanism,
@@ -177,9 +118,9 @@ namespace Tribody
                   ". Are the links' lengths right?");
             }
           const DependentConstraints dependent =
-            find_dependent_constraints(equations, q, singular_threshold);
+            find_dependent_constraints(equations, q);
           AssertThrow(
-            dependent.surplus == 0,
+            dependent.n <= mechanism.n_redundant(),
             ExcParameter("Drivers",
                          "lead through a singular position, with " +
                            describe_drivers(mechanism, k * step) +
@@ -196,11 +137,12 @@ namespace Tribody
                      const Eigen::VectorXd   &q)
     {
       const DependentConstraints dependent =
-        find_dependent_constraints(equations, q, singular_threshold);
+        find_dependent_constraints(equations, q);
+      const Mechanism &mechanism = equations.mechanism();
       AssertThrow(
-        dependent.surplus == 0,
+        dependent.n <= mechanism.n_redundant(),
         ExcParameter("Joints",
-                     std::to_string(dependent.surplus) +
+                     std::to_string(dependent.n - mechanism.n_redundant()) +
                        " constraint(s) follow from the others or contradict "
                        "them in the initial configuration. Those that depend "
                        "on each other belong to: " +
@@ -268,7 +210,7 @@ namespace Tribody
       // Looser than for redundancy: the motion ends near the singular position.
       const DependentConstraints dependent =
         find_dependent_constraints(equations, q_next, 1e-3);
-      if (dependent.surplus > 0)
+      if (dependent.n > mechanism.n_redundant())
         return " near the time " + significant_digits(t, 6) +
                " s the mechanism is close to a singular position, in which the "
                "constraints of " +

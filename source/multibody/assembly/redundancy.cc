@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <tribody/base/solver_report.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace Tribody
 {
@@ -19,110 +19,8 @@ namespace Tribody
   {
     namespace
     {
-      // An equation of a joint.
-      struct JointEquation
-      {
-        unsigned int joint;
-        unsigned int number;
-        unsigned int row;
-      };
-
-
-
-      // The constraints in the order in which they are kept: joints, those with
-      // a gap after the others, then what is no ideal joint.
-      std::vector<unsigned int>
-      order_of_keeping(const Mechanism           &mechanism,
-                       const MechanismParameters &simulated)
-      {
-        std::vector<int> ranks(mechanism.constraints().size(), 2);
-        for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
-          if (!mechanism.joints()[j].has_gap())
-            ranks[mechanism.joints()[j].index] =
-              simulated.joints[j].has_gap() ? 1 : 0;
-        std::vector<unsigned int> order(ranks.size());
-        for (unsigned int c = 0; c < order.size(); ++c)
-          order[c] = c;
-        std::stable_sort(order.begin(),
-                         order.end(),
-                         [&](const unsigned int a, const unsigned int b) {
-                           return ranks[a] < ranks[b];
-                         });
-        return order;
-      }
-
-
-
-      // The rows of Phi_q at q that depend on those kept before them.
-      std::vector<unsigned int>
-      find_dependent_rows(const EquationsOfMotion   &equations,
-                          const MechanismParameters &simulated,
-                          const Eigen::VectorXd     &q)
-      {
-        const Mechanism      &mechanism = equations.mechanism();
-        const Eigen::MatrixXd jacobian  = compute_scaled_jacobian(equations, q);
-        std::vector<unsigned int>                   dependent;
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(
-          jacobian.transpose());
-        decomposition.setThreshold(1e-3 * singular_threshold);
-        if (decomposition.rank() + mechanism.n_left_out() == jacobian.rows())
-          return dependent;
-        // Orthonormal columns that span the rows kept so far.
-        Eigen::MatrixXd basis  = Eigen::MatrixXd::Zero(q.size(), q.size());
-        Eigen::Index    n_kept = 0;
-        for (const unsigned int c : order_of_keeping(mechanism, simulated))
-          {
-            const auto &[constraint, first_row] = mechanism.constraints()[c];
-            for (unsigned int i = 0; i < constraint->n_equations; ++i)
-              {
-                if (constraint->is_left_out(i))
-                  continue;
-                Eigen::VectorXd row =
-                  jacobian.row(first_row + i).transpose().stableNormalized();
-                const auto kept = basis.leftCols(n_kept);
-                row -= kept * (kept.transpose() * row);
-                const double rest = row.norm();
-                // Twice is enough for rounding.
-                row -= kept * (kept.transpose() * row);
-                if (rest < singular_threshold)
-                  {
-                    dependent.push_back(first_row + i);
-                    continue;
-                  }
-                basis.col(n_kept++) = row.normalized();
-              }
-          }
-        return dependent;
-      }
-
-
-
-      // Empty if one of them belongs to a driver or a rigid pin with clearance,
-      // which nothing can replace.
-      std::vector<JointEquation>
-      find_joint_equations(const Mechanism                 &mechanism,
-                           const std::vector<unsigned int> &rows)
-      {
-        std::vector<JointEquation> result;
-        for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
-          {
-            const JointEntry &joint = mechanism.joints()[j];
-            if (joint.has_gap())
-              continue;
-            const auto &[constraint, first] =
-              mechanism.constraints()[joint.index];
-            for (unsigned int i = 0; i < constraint->n_equations; ++i)
-              if (std::find(rows.begin(), rows.end(), first + i) != rows.end())
-                result.push_back({j, i, first + i});
-          }
-        return result.size() == rows.size() ? result
-                                            : std::vector<JointEquation>();
-      }
-
-
-
-      // A configuration beside q that the constraints allow: the answer does
-      // not depend on the direction, as long as it is no special one.
+      // A configuration beside q that the constraints allow, as far as the
+      // length away. Any direction will do that is no special one.
       bool
       move_aside(const EquationsOfMotion &equations,
                  const double             length,
@@ -153,102 +51,113 @@ namespace Tribody
 
 
 
-      // Whether the equations hold wherever those of reduced do: at a position
-      // beside q, too.
-      bool
-      follow_from_others(const MechanismParameters        &whole,
-                         const MechanismParameters        &reduced,
-                         const MechanismParameters        &simulated,
-                         const std::vector<JointEquation> &equations,
-                         const Eigen::VectorXd            &q)
+      // At q and beside it, whichever are less.
+      unsigned int
+      count_lasting(const EquationsOfMotion &equations,
+                    const Eigen::VectorXd   &q)
       {
-        const auto without_drivers = [](MechanismParameters parameters) {
-          parameters.drivers.clear();
-          return parameters;
-        };
-        const Mechanism         all(without_drivers(whole));
-        const Mechanism         kept(without_drivers(reduced));
-        const EquationsOfMotion equations_of_all(all, nominal_clearances(all));
-        const EquationsOfMotion equations_kept(kept, nominal_clearances(kept));
-        Eigen::VectorXd         aside = q;
-        bool                    moved = false;
-        for (double length = 0.1 * all.size();
-             !moved && length > 1e-3 * all.size();
-             length /= 4)
+        const double       size = equations.mechanism().size();
+        const unsigned int here = find_dependent_constraints(equations, q).n;
+        for (double length = 0.1 * size; length > 1e-3 * size; length /= 4)
           {
-            aside = q;
-            moved = move_aside(equations_kept, length, aside);
+            Eigen::VectorXd aside = q;
+            if (move_aside(equations, length, aside))
+              return std::min(here,
+                              find_dependent_constraints(equations, aside).n);
           }
-        if (!moved)
-          return false;
-        // Pins with gaps may be as far off as these let them.
-        double gaps = 0.;
-        for (const JointParameters &joint : simulated.joints)
-          gaps += joint.has_gap() ? joint.clearance() : 0.;
-        Eigen::VectorXd phi(all.n_constraints());
-        equations_of_all.assemble_constraints(0., aside, phi);
-        phi = phi.cwiseProduct(compute_constraint_scales(all)).eval();
-        return std::all_of(equations.begin(),
-                           equations.end(),
-                           [&](const JointEquation &equation) {
-                             const double limit =
-                               1e-8 * all.size() +
-                               (simulated.joints[equation.joint].has_gap()
-                                  ? gaps
-                                  : 0.);
-                             return std::abs(phi(equation.row)) < limit;
-                           });
+        return 0;
       }
     } // namespace
 
 
 
-    MechanismParameters
-    leave_out_redundant_constraints(const MechanismParameters &parameters,
-                                    const MechanismParameters &simulated)
+    DependentConstraints
+    find_dependent_constraints(const EquationsOfMotion &equations,
+                               const Eigen::VectorXd   &q,
+                               const double             threshold)
     {
-      const Mechanism         mechanism(parameters);
+      const Mechanism     &mechanism = equations.mechanism();
+      const unsigned int   m         = mechanism.n_constraints();
+      DependentConstraints result;
+      if (m == 0)
+        return result;
+      Eigen::MatrixXd jacobian = compute_scaled_jacobian(equations, q);
+      // A row of zeros, of markers that coincide, stays one.
+      for (unsigned int i = 0; i < m; ++i)
+        jacobian.row(i).normalize();
+      Eigen::FullPivLU<Eigen::MatrixXd> decomposition(jacobian.transpose());
+      decomposition.setThreshold(threshold);
+      result.n = m - decomposition.rank();
+      if (result.n == 0)
+        return result;
+
+      // Every combination of rows that vanishes shows up in the null space of
+      // the transpose; the joints with entries there depend on each other. The
+      // shortest combination says most.
+      const Eigen::MatrixXd kernel  = decomposition.kernel();
+      std::size_t           n_named = mechanism.constraints().size() + 1;
+      for (Eigen::Index k = 0; k < kernel.cols(); ++k)
+        {
+          const double limit = 1e-6 * kernel.col(k).lpNorm<Eigen::Infinity>();
+          std::string  names;
+          std::size_t  n = 0;
+          for (const auto &[constraint, row] : mechanism.constraints())
+            if (kernel.col(k)
+                  .segment(row, constraint->n_equations)
+                  .lpNorm<Eigen::Infinity>() > limit)
+              {
+                names += (names.empty() ? "" : ", ") + constraint->description;
+                ++n;
+              }
+          if (n < n_named)
+            {
+              n_named      = n;
+              result.names = names;
+            }
+        }
+      return result;
+    }
+
+
+
+    MechanismParameters
+    count_redundant_constraints(const MechanismParameters &parameters)
+    {
+      MechanismParameters result = parameters;
+      result.n_redundant         = 0;
+      const Mechanism         mechanism(result);
       const EquationsOfMotion equations(mechanism,
                                         nominal_clearances(mechanism));
-      const Mechanism         closed(with_ideal_joints(parameters));
+      const Mechanism         closed(with_ideal_joints(result));
       const Eigen::VectorXd   q =
         assemble_configuration(EquationsOfMotion(closed, {}), 0.);
-      const std::vector<JointEquation> dependent =
-        find_joint_equations(mechanism,
-                             find_dependent_rows(equations, simulated, q));
-      if (dependent.empty())
-        return parameters;
-      MechanismParameters reduced = parameters;
-      for (const JointEquation &equation : dependent)
-        reduced.joints[equation.joint].left_out[equation.number] = true;
-      return follow_from_others(parameters, reduced, simulated, dependent, q)
-               ? reduced
-               : parameters;
+      if (find_dependent_constraints(equations, q).n == 0)
+        return result;
+      MechanismParameters joints_only = result;
+      joints_only.drivers.clear();
+      const Mechanism         moving(joints_only);
+      const EquationsOfMotion equations_of_joints(moving,
+                                                  nominal_clearances(moving));
+      result.n_redundant = count_lasting(equations_of_joints, q);
+      return result;
     }
 
 
 
     std::string
-    describe_left_out(const Mechanism &mechanism)
+    describe_redundancy(const EquationsOfMotion &equations,
+                        const Eigen::VectorXd   &q)
     {
-      std::string names;
-      for (const auto &[constraint, row] : mechanism.constraints())
-        for (unsigned int i = 0; i < constraint->n_equations; ++i)
-          if (constraint->is_left_out(i))
-            {
-              names += (names.empty() ? "" : ", ") + constraint->description;
-              break;
-            }
-      if (names.empty())
+      const unsigned int n = equations.mechanism().n_redundant();
+      if (n == 0)
         return "";
-      const unsigned int n = mechanism.n_left_out();
-      return "has left out " + std::to_string(n) +
+      return "has " + std::to_string(n) +
              (n == 1 ? " constraint that follows"
                      : " constraints that follow") +
-             " from those of other joints (" + names +
-             "): the motion is the same, but how these joints share the forces "
-             "is not determined, and they are given as if all were carried by "
-             "the others";
+             " from others, among them those of " +
+             find_dependent_constraints(equations, q).names +
+             ": the motion is the same without, but how joints share such a "
+             "force is not determined; the smallest forces are given";
     }
   } // namespace Multibody
 } // namespace Tribody

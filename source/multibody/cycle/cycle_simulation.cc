@@ -102,16 +102,14 @@ namespace Tribody
                      " cycles after that";
         return message;
       }
-      // Where gaps allow what closed joints do not, joints that have none
-      // decide.
+      // Gaps may allow what closed joints do not.
       MechanismParameters
       close_gaps(const Mechanism &mechanism)
       {
         return mechanism.has_only_ideal_joints()
                  ? mechanism.parameters()
-                 : leave_out_redundant_constraints(with_ideal_joints(
-                                                     mechanism.parameters()),
-                                                   mechanism.parameters());
+                 : count_redundant_constraints(
+                     with_ideal_joints(mechanism.parameters()));
       }
     } // namespace
 
@@ -130,7 +128,7 @@ namespace Tribody
                                         nominal_clearances(mechanism));
       const Eigen::VectorXd   q = assemble_configuration(closed_equations, 0.);
       check_redundancy(equations, q);
-      premises = describe_left_out(mechanism);
+      premises = describe_redundancy(equations, q);
       if (const std::string change = explain_changed_start(closed_equations, q);
           !change.empty())
         premises += (premises.empty() ? "" : "; ") + ("begins where " + change);
@@ -658,7 +656,7 @@ namespace Tribody
       if (parameters.start == MotionStart::centred ||
           mechanism.has_only_ideal_joints())
         return start;
-      if (closed_mechanism.n_left_out() > mechanism.n_left_out())
+      if (closed_mechanism.n_redundant() > mechanism.n_redundant())
         {
           start.report.message =
             "with ideal joints the mechanism is overconstrained, so that there "

@@ -52,7 +52,7 @@ namespace Tribody
     FollowingPins::explain_unsuitable(const Mechanism &mechanism,
                                       const Mechanism &closed)
     {
-      if (closed.n_left_out() > mechanism.n_left_out())
+      if (closed.n_redundant() > mechanism.n_redundant())
         return "with ideal joints the mechanism is overconstrained, and the "
                "forces of its pins do not follow from their balance";
       if (closed.n_degrees_of_freedom() != 0)

@@ -167,11 +167,14 @@ namespace Tribody
       in_mode.assemble_constraint_jacobian(state.q,
                                            matrix.bottomLeftCorner(m, n));
       matrix.topRightCorner(n, m) = matrix.bottomLeftCorner(m, n).transpose();
-      for (const unsigned int row : mechanism.left_out_rows())
-        matrix(n + row, n + row) = 1.;
-      Eigen::MatrixXd right              = Eigen::MatrixXd::Zero(n + m, 2);
-      right.topRows(n)                   = rows.transpose();
-      const Eigen::MatrixXd solution     = matrix.partialPivLu().solve(right);
+      Eigen::MatrixXd right       = Eigen::MatrixXd::Zero(n + m, 2);
+      right.topRows(n)            = rows.transpose();
+      // Redundant constraints leave it singular, and what is asked unique.
+      Eigen::MatrixXd solution;
+      if (mechanism.n_redundant() > 0)
+        solution = matrix.fullPivLu().solve(right);
+      else
+        solution = matrix.partialPivLu().solve(right);
       const Eigen::Matrix2d inverse_mass = rows * solution.topRows(n);
 
       const Eigen::Vector2d speeds  = rows * state.v;

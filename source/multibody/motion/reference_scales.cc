@@ -129,12 +129,15 @@ namespace Tribody
         matrix.diagonal().head(n) = mechanism.masses();
         open.assemble_constraint_jacobian(q, matrix.bottomLeftCorner(m, n));
         matrix.topRightCorner(n, m) = matrix.bottomLeftCorner(m, n).transpose();
-        for (const unsigned int row : mechanism.left_out_rows())
-          matrix(n + row, n + row) = 1.;
-        Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(n + m, 2);
-        forces.topRows(n)      = e_q.transpose();
-        const Eigen::Matrix2d inverse_mass =
-          e_q * matrix.partialPivLu().solve(forces).topRows(n);
+        Eigen::MatrixXd forces      = Eigen::MatrixXd::Zero(n + m, 2);
+        forces.topRows(n)           = e_q.transpose();
+        // Redundant constraints leave it singular, and what is asked unique.
+        Eigen::MatrixXd solution;
+        if (mechanism.n_redundant() > 0)
+          solution = matrix.fullPivLu().solve(forces);
+        else
+          solution = matrix.partialPivLu().solve(forces);
+        const Eigen::Matrix2d inverse_mass = e_q * solution.topRows(n);
         return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(inverse_mass)
           .eigenvalues()
           .maxCoeff();

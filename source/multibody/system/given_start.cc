@@ -61,10 +61,12 @@ namespace Tribody
               if (free.cols() == 0 || left < least)
                 continue;
               result.push_back(i);
-              const Eigen::MatrixXd others =
-                Eigen::HouseholderQR<Eigen::MatrixXd>(direction / left)
-                  .householderQ();
-              free = free * others.rightCols(free.cols() - 1);
+              // A reflection makes it the first column, which is dropped.
+              Eigen::VectorXd normal = direction / left;
+              normal(0) += normal(0) < 0. ? -1. : 1.;
+              free -= (2. / normal.squaredNorm() * (free * normal)) *
+                      normal.transpose();
+              free = free.rightCols(free.cols() - 1).eval();
             }
         return result;
       }
@@ -78,6 +80,22 @@ namespace Tribody
       {
         return is_angle(i) ? std::remainder(given(i) - q(i), turn)
                            : given(i) - q(i);
+      }
+
+
+
+      // In units of the mechanism's size, and radians.
+      double
+      find_largest_change(const Mechanism       &mechanism,
+                          const Eigen::VectorXd &given,
+                          const Eigen::VectorXd &q)
+      {
+        double largest = 0.;
+        for (Eigen::Index i = 0; i < q.size(); ++i)
+          largest = std::max(largest,
+                             std::abs(difference(i, given, q)) /
+                               (is_angle(i) ? 1. : mechanism.size()));
+        return largest;
       }
 
 
@@ -136,9 +154,11 @@ namespace Tribody
     {
       const Mechanism        &mechanism = equations.mechanism();
       const ConstraintOffsets none(mechanism.n_constraints());
-      const auto              free     = find_free_coordinates(equations, q);
-      Eigen::VectorXd         moved    = q;
-      Eigen::VectorXd         mobility = Eigen::VectorXd::Ones(q.size());
+      if (find_largest_change(mechanism, given, q) < 1e-12)
+        return q;
+      const auto      free     = find_free_coordinates(equations, q);
+      Eigen::VectorXd moved    = q;
+      Eigen::VectorXd mobility = Eigen::VectorXd::Ones(q.size());
       for (const Eigen::Index i : free)
         mobility(i) = 1e-6;
       constexpr unsigned int n_steps = 8;
@@ -160,11 +180,15 @@ namespace Tribody
     {
       const Mechanism       &mechanism = equations.mechanism();
       const Eigen::VectorXd &given     = mechanism.initial_coordinates();
+      // In units of the size, and radians.
+      constexpr double noticed = 1e-4;
+      if (find_largest_change(mechanism, given, q) < noticed)
+        return "";
       for (const Eigen::Index i : find_free_coordinates(equations, q))
         {
           const double change = -difference(i, given, q);
-          if (std::abs(change) * (is_angle(i) ? 1. : 1. / mechanism.size()) >
-              1e-4)
+          if (std::abs(change) / (is_angle(i) ? 1. : mechanism.size()) >
+              noticed)
             return describe_change(mechanism, i, change) +
                    ", where the joints cannot be closed";
         }

@@ -37,6 +37,18 @@ namespace Tribody
 
 
 
+      // The shortest x with A x = b, or the best one.
+      Eigen::VectorXd
+      solve_least_norm(const Eigen::MatrixXd &a, const Eigen::VectorXd &b)
+      {
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+        solver.setThreshold(1e-10);
+        solver.compute(a);
+        return solver.solve(b);
+      }
+
+
+
       // The shortest x with Phi_q x = right_hand_side, or the best one, where a
       // coordinate of small mobility counts as far as it moves all the same.
       Eigen::VectorXd
@@ -51,24 +63,13 @@ namespace Tribody
         Eigen::MatrixXd jacobian = compute_scaled_jacobian(equations, q);
         if (mobility.size() > 0)
           jacobian *= mobility.asDiagonal();
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-        solver.setThreshold(1e-10);
-        solver.compute(jacobian);
-        Eigen::VectorXd x = solver.solve(
-          compute_constraint_scales(mechanism).cwiseProduct(right_hand_side));
+        Eigen::VectorXd x =
+          solve_least_norm(jacobian,
+                           compute_constraint_scales(mechanism).cwiseProduct(
+                             right_hand_side));
         if (mobility.size() > 0)
           x = mobility.cwiseProduct(x);
         return x.cwiseQuotient(compute_coordinate_scales(mechanism));
-      }
-
-
-
-      // Offsets of equations that are left out do not count.
-      void
-      clear_left_out(const Mechanism &mechanism, Eigen::VectorXd &phi)
-      {
-        for (const unsigned int row : mechanism.left_out_rows())
-          phi(row) = 0.;
       }
 
 
@@ -160,8 +161,8 @@ namespace Tribody
 
 
 
-      // x in (M, Phi_q^T; Phi_q, 0) x = right_hand_side. Multipliers of
-      // equations that are left out are zero.
+      // x in (M, Phi_q^T; Phi_q, 0) x = right_hand_side. Multipliers that are
+      // not unique, of redundant constraints, are those of least norm.
       Eigen::VectorXd
       solve_saddle_point(const EquationsOfMotion &equations,
                          const Eigen::VectorXd   &q,
@@ -176,15 +177,16 @@ namespace Tribody
           for (Eigen::Index i = 0; i < masses.size(); ++i)
             scaled.add(i, i, masses(i));
           equations.add_constraint_jacobian(q, masses.size(), scaled);
-          for (const unsigned int row : mechanism.left_out_rows())
-            entries.add(masses.size() + row, masses.size() + row, 1.);
         };
         const Eigen::VectorXd right = scales.cwiseProduct(right_hand_side);
-        if (size <= largest_dense_system)
+        const bool            is_singular = mechanism.n_redundant() > 0;
+        if (size <= largest_dense_system || is_singular)
           {
             Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
             DenseEntries    entries(matrix);
             add_to(entries);
+            if (is_singular)
+              return scales.cwiseProduct(solve_least_norm(matrix, right));
             return scales.cwiseProduct(matrix.partialPivLu().solve(right));
           }
         Triplets entries;
@@ -225,7 +227,6 @@ namespace Tribody
         {
           equations.assemble_constraints(t, q, phi);
           phi -= offsets.value;
-          clear_left_out(mechanism, phi);
           const double gap = phi.cwiseProduct(scales).lpNorm<Eigen::Infinity>();
           report.residual  = gap / size;
           report.converged =
@@ -308,9 +309,7 @@ namespace Tribody
       Eigen::VectorXd phi_t(m), phi_tt(m), quadratic(m), right_hand_side(n + m);
       equations.assemble_time_derivatives(t, phi_t, phi_tt);
       equations.assemble_quadratic_terms(q, v, quadratic);
-      Eigen::VectorXd asked = offsets.second_derivative - quadratic - phi_tt;
-      clear_left_out(mechanism, asked);
-      right_hand_side << forces, asked;
+      right_hand_side << forces, offsets.second_derivative - quadratic - phi_tt;
 
       const Eigen::VectorXd x =
         solve_saddle_point(equations, q, right_hand_side);

@@ -6,7 +6,6 @@
 #include <tribody/base/parameters.h>
 #include <tribody/multibody/elements/angle_driver.h>
 #include <tribody/multibody/elements/distance_driver.h>
-#include <tribody/multibody/elements/partial_constraint.h>
 #include <tribody/multibody/elements/rigid_constraint.h>
 #include <tribody/multibody/elements/translational_constraint.h>
 #include <tribody/multibody/system/mechanism.h>
@@ -226,44 +225,19 @@ namespace Tribody
         }
       else if (joint.has_gap())
         add_rigid_clearance(joint, first, second, is_following, entry);
+      else if (joint.is_revolute())
+        add_constraint(
+          std::make_shared<RevoluteConstraint>(path, first, second));
+      else if (joint.type == JointType::translational)
+        add_constraint(std::make_shared<TranslationalConstraint>(
+          path, first, second, joint.axis_angle, joint.relative_angle));
+      else if (joint.type == JointType::rigid)
+        add_constraint(std::make_shared<RigidConstraint>(
+          path, first, second, joint.relative_angle));
       else
-        {
-          const auto  whole = make_joint_constraint(joint, first, second);
-          const auto &out   = joint.left_out;
-          if (std::find(out.begin(), out.end(), true) == out.end())
-            add_constraint(whole);
-          else
-            add_constraint(std::make_shared<PartialConstraint>(whole, out));
-        }
+        add_constraint(std::make_shared<PointOnLineConstraint>(
+          path, first, second, joint.axis_angle));
       the_joints.push_back(entry);
-    }
-
-
-
-    std::shared_ptr<const Constraint>
-    Mechanism::make_joint_constraint(const JointParameters &joint,
-                                     const Marker          &first,
-                                     const Marker          &second) const
-    {
-      const std::string path = "Joint " + joint.name;
-      switch (joint.type)
-        {
-          case JointType::translational:
-            return std::make_shared<TranslationalConstraint>(
-              path, first, second, joint.axis_angle, joint.relative_angle);
-          case JointType::rigid:
-            return std::make_shared<RigidConstraint>(path,
-                                                     first,
-                                                     second,
-                                                     joint.relative_angle);
-          case JointType::point_on_line:
-            return std::make_shared<PointOnLineConstraint>(path,
-                                                           first,
-                                                           second,
-                                                           joint.axis_angle);
-          default:
-            return std::make_shared<RevoluteConstraint>(path, first, second);
-        }
     }
 
 
@@ -329,9 +303,6 @@ namespace Tribody
     Mechanism::add_constraint(
       const std::shared_ptr<const Constraint> &constraint)
     {
-      for (unsigned int i = 0; i < constraint->n_equations; ++i)
-        if (constraint->is_left_out(i))
-          the_left_out.push_back(n_equations + i);
       the_constraints.push_back({constraint, n_equations});
       n_equations += constraint->n_equations;
     }

@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 
 #include <tribody/base/significant_digits.h>
+#include <tribody/multibody/system/constraint_gaps.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
@@ -192,30 +193,35 @@ namespace Tribody
         balance.forces      = applied_forces(q).cwiseProduct(inverse_scales);
         balance.force_scale = compute_force_scale(q);
 
-        Eigen::MatrixXd phi_q(m, n);
-        equations.assemble_constraint_jacobian(q, phi_q);
         const Eigen::MatrixXd columns =
-          (phi_q * inverse_scales.asDiagonal()).transpose();
+          compute_scaled_jacobian(equations, q).transpose();
+        // Of forces: multipliers of angles are moments.
+        Eigen::VectorXd multipliers;
         if (m == 0)
           {
-            balance.free        = Eigen::MatrixXd::Identity(n, n);
-            balance.multipliers = Eigen::VectorXd();
+            balance.free = Eigen::MatrixXd::Identity(n, n);
           }
         else
           {
             Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(columns);
             decomposition.setThreshold(1e-10);
             const Eigen::MatrixXd basis = decomposition.householderQ();
-            balance.free        = basis.rightCols(n - decomposition.rank());
-            balance.multipliers = decomposition.solve(balance.forces);
+            balance.free = basis.rightCols(n - decomposition.rank());
+            // Of least norm where they are not unique.
+            multipliers = mechanism.n_redundant() > 0
+                            ? columns.completeOrthogonalDecomposition()
+                                .solve(balance.forces)
+                                .eval()
+                            : decomposition.solve(balance.forces).eval();
+            balance.multipliers =
+              multipliers.cwiseProduct(compute_constraint_scales(mechanism));
           }
         balance.free_forces = balance.free.transpose() * balance.forces;
         if (balance.free.cols() == 0)
           return balance;
         constexpr double epsilon = 10 * std::numeric_limits<double>::epsilon();
         balance.rounding =
-          epsilon * (balance.force_scale +
-                     (columns * balance.multipliers).cwiseAbs().sum());
+          epsilon * (balance.force_scale + multipliers.lpNorm<1>());
 
         // Of the Jacobian of a motion, the block of forces by coordinates.
         Eigen::MatrixXd jacobian =

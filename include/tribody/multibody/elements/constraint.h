@@ -72,14 +72,6 @@ namespace Tribody
       virtual bool
       is_angle(const unsigned int i) const = 0;
 
-      /// Whether equation @p i is not asked, as it follows from others: its row
-      /// is zero, and so is its multiplier.
-      virtual bool
-      is_left_out(const unsigned int /*i*/) const
-      {
-        return false;
-      }
-
       /// Force of the first body on the second [N], in global axes.
       virtual Eigen::Vector2d
       reaction_force(const PairVector &q, const Values &multipliers) const = 0;

@@ -5,7 +5,6 @@
 
 #include <tribody/base/choice.h>
 #include <tribody/base/material.h>
-#include <tribody/multibody/elements/partial_constraint.h>
 #include <tribody/multibody/joints/contact_force_law.h>
 #include <tribody/multibody/joints/friction_law.h>
 #include <tribody/surface/pin_in_bore.h>
@@ -150,10 +149,6 @@ namespace Tribody
       /// Translational, rigid: angle of the second body relative to the first
       /// [rad].
       double relative_angle = 0.;
-
-      /// Equations of its constraint that follow from those of other joints; of
-      /// the mechanism, not of the file: see leave_out_redundant_constraints().
-      PartialConstraint::Selection left_out = {};
 
       /// Declares in the current subsection, "Joint <name>".
       void

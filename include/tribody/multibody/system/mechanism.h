@@ -108,28 +108,23 @@ namespace Tribody
       }
 
       /**
-       * Coordinates minus constraints that are not left out. Exact only without
-       * redundant constraints, of which check_redundancy() makes sure.
+       * Coordinates minus constraints that do not follow from others. Exact
+       * only if these have been counted, of which check_redundancy() makes
+       * sure.
        */
       int
       n_degrees_of_freedom() const
       {
         return static_cast<int>(n_coordinates()) -
-               static_cast<int>(n_equations) + static_cast<int>(n_left_out());
+               static_cast<int>(n_equations) + static_cast<int>(n_redundant());
       }
 
-      /// Equations in Phi that follow from others and are zero.
+      /// Equations in Phi that follow from others, as the parameters say. With
+      /// them Phi_q has no full rank, and the multipliers are not unique.
       unsigned int
-      n_left_out() const
+      n_redundant() const
       {
-        return the_left_out.size();
-      }
-
-      /// Their rows.
-      const std::vector<unsigned int> &
-      left_out_rows() const
-      {
-        return the_left_out;
+        return the_parameters.n_redundant;
       }
 
       /// What the mechanism was made from.
@@ -297,11 +292,6 @@ namespace Tribody
       void
       add_constraint(const std::shared_ptr<const Constraint> &constraint);
 
-      std::shared_ptr<const Constraint>
-      make_joint_constraint(const JointParameters &joint,
-                            const Marker          &first,
-                            const Marker          &second) const;
-
       // A length where no body has a marker off its centre of mass.
       double
       find_distance() const;
@@ -328,7 +318,6 @@ namespace Tribody
 
       const MechanismParameters       the_parameters;
       std::vector<NumberedConstraint> the_constraints;
-      std::vector<unsigned int>       the_left_out;
       std::vector<ClearanceJoint>     the_clearance_joints;
       std::vector<ImpactJoint>        the_impact_joints;
       std::vector<JointEntry>         the_joints;
