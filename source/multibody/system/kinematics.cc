@@ -39,10 +39,12 @@ namespace Tribody
 
       // The shortest x with A x = b, or the best one.
       Eigen::VectorXd
-      solve_least_norm(const Eigen::MatrixXd &a, const Eigen::VectorXd &b)
+      solve_least_norm(const Eigen::MatrixXd &a,
+                       const Eigen::VectorXd &b,
+                       const double           threshold = 1e-10)
       {
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-        solver.setThreshold(1e-10);
+        solver.setThreshold(threshold);
         solver.compute(a);
         return solver.solve(b);
       }
@@ -186,7 +188,9 @@ namespace Tribody
             DenseEntries    entries(matrix);
             add_to(entries);
             if (is_singular)
-              return scales.cwiseProduct(solve_least_norm(matrix, right));
+              // Light bodies are no redundancy.
+              return scales.cwiseProduct(
+                solve_least_norm(matrix, right, 1e-14));
             return scales.cwiseProduct(matrix.partialPivLu().solve(right));
           }
         Triplets entries;
