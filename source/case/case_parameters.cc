@@ -13,6 +13,7 @@
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/case/repetition.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/system/mechanism.h>
 
@@ -549,11 +550,14 @@ namespace Tribody
 
         // Markers and bodies that joints, springs and drivers refer to, and
         // whether the mechanism can be assembled.
-        const Multibody::Mechanism mechanism(parameters.mechanism);
+        const Multibody::Mechanism mechanism(
+          Multibody::count_redundant_constraints(parameters.mechanism));
         if (parameters.cycles > 0)
           check_repetition(mechanism, parameters.dynamics);
         const Multibody::CycleSimulation simulation(mechanism,
                                                     parameters.dynamics);
+        if (parameters.cycles > 0)
+          simulation.check_repetition();
       }
     } // namespace
 

@@ -10,6 +10,7 @@
 #include <tribody/base/significant_digits.h>
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/bushing/mesh_resolution.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
@@ -158,7 +159,7 @@ namespace Tribody
       , timer(console.out(),
               dealii::TimerOutput::never,
               dealii::TimerOutput::wall_times)
-      , mechanism(parameters.mechanism)
+      , mechanism(Multibody::count_redundant_constraints(parameters.mechanism))
       , dynamics(mechanism, make_dynamics_parameters(parameters))
       , process(parameters.wear,
                 make_bushings(parameters, dynamics, communicator))

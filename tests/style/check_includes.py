@@ -34,12 +34,14 @@ ALLOWED = {
     "output": {"surface", "algebra", "base"},
 }
 ALLOWED["multibody/system"] = ALLOWED["multibody/joints"] | {"multibody/joints"}
+ALLOWED["multibody/assembly"] = ALLOWED["multibody/system"] | {"multibody/system"}
 ALLOWED["multibody/motion"] = ALLOWED["multibody/system"] | {
     "multibody/system",
     "sundials",
 }
 ALLOWED["multibody/following"] = ALLOWED["multibody/system"] | {"multibody/system"}
 ALLOWED["multibody/cycle"] = ALLOWED["multibody/motion"] | {
+    "multibody/assembly",
     "multibody/motion",
     "multibody/following",
 }
@@ -63,6 +65,7 @@ ALLOWED["case"] = {
     "multibody/elements",
     "multibody/joints",
     "multibody/system",
+    "multibody/assembly",
     "multibody/motion",
     "multibody/cycle",
     "base",

@@ -2,6 +2,8 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/multibody/assembly/assembly_checks.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
@@ -10,7 +12,7 @@
 #include <tribody/multibody/following/followed_cycle.h>
 #include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/motion/energy_account.h>
-#include <tribody/multibody/system/assembly_checks.h>
+#include <tribody/multibody/system/given_start.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/static_equilibrium.h>
 
@@ -105,6 +107,15 @@ namespace Tribody
                      " cycles after that";
         return message;
       }
+      // Gaps may allow what closed joints do not.
+      MechanismParameters
+      close_gaps(const Mechanism &mechanism)
+      {
+        return mechanism.has_only_ideal_joints()
+                 ? mechanism.parameters()
+                 : count_redundant_constraints(
+                     with_ideal_joints(mechanism.parameters()));
+      }
     } // namespace
 
 
@@ -113,7 +124,7 @@ namespace Tribody
                                      const DynamicsParameters &parameters)
       : mechanism(mechanism)
       , parameters(parameters)
-      , closed_mechanism(with_ideal_joints(mechanism.parameters()))
+      , closed_mechanism(close_gaps(mechanism))
       , closed_equations(closed_mechanism, {})
       , period(cycle_duration(mechanism, parameters))
     {
@@ -122,6 +133,10 @@ namespace Tribody
                                         nominal_clearances(mechanism));
       const Eigen::VectorXd   q = assemble_configuration(closed_equations, 0.);
       check_redundancy(equations, q);
+      premises = describe_redundancy(equations, q);
+      if (const std::string change = explain_changed_start(closed_equations, q);
+          !change.empty())
+        premises += (premises.empty() ? "" : "; ") + ("begins where " + change);
       if (!mechanism.has_only_ideal_joints() &&
           closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
@@ -134,6 +149,20 @@ namespace Tribody
         check_full_cycle(closed_equations,
                          period,
                          2 * parameters.samples_per_cycle);
+      // Whoever says how long a cycle is may want a part of the motion.
+      if (parameters.cycle_duration == 0 && mechanism.has_turning_driver())
+        check_repetition();
+    }
+
+
+
+    void
+    CycleSimulation::check_repetition() const
+    {
+      if (closed_mechanism.n_degrees_of_freedom() == 0)
+        check_return(closed_equations,
+                     period,
+                     2 * parameters.samples_per_cycle);
     }
 
 
@@ -228,6 +257,21 @@ namespace Tribody
                          const Supports   &supports,
                          const Arcs       &arcs,
                          const DutyCycle  *before) const
+    {
+      DutyCycle    cycle   = find_cycle(clearances, supports, arcs, before);
+      std::string &message = cycle.settling.message;
+      if (!premises.empty())
+        message = premises + (message.empty() ? "" : "; ") + message;
+      return cycle;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::find_cycle(const Clearances &clearances,
+                                const Supports   &supports,
+                                const Arcs       &arcs,
+                                const DutyCycle  *before) const
     {
       const EquationsOfMotion equations(mechanism,
                                         collect_clearances(clearances),
@@ -623,6 +667,14 @@ namespace Tribody
       if (parameters.start == MotionStart::centred ||
           mechanism.has_only_ideal_joints())
         return start;
+      if (closed_mechanism.n_redundant() > mechanism.n_redundant())
+        {
+          start.report.message =
+            "with ideal joints the mechanism is overconstrained, so that there "
+            "is no start in slow motion; the pins began in the middle of their "
+            "bushings";
+          return start;
+        }
       if (closed_mechanism.n_degrees_of_freedom() != 0)
         {
           start.report.message =

@@ -52,6 +52,9 @@ namespace Tribody
     FollowingPins::explain_unsuitable(const Mechanism &mechanism,
                                       const Mechanism &closed)
     {
+      if (closed.n_redundant() > mechanism.n_redundant())
+        return "with ideal joints the mechanism is overconstrained, and the "
+               "forces of its pins do not follow from their balance";
       if (closed.n_degrees_of_freedom() != 0)
         return "with ideal joints the mechanism has " +
                std::to_string(closed.n_degrees_of_freedom()) +

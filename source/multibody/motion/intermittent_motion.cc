@@ -169,7 +169,12 @@ namespace Tribody
       matrix.topRightCorner(n, m) = matrix.bottomLeftCorner(m, n).transpose();
       Eigen::MatrixXd right       = Eigen::MatrixXd::Zero(n + m, 2);
       right.topRows(n)            = rows.transpose();
-      const Eigen::MatrixXd solution     = matrix.partialPivLu().solve(right);
+      // Redundant constraints leave it singular, and what is asked unique.
+      Eigen::MatrixXd solution;
+      if (mechanism.n_redundant() > 0)
+        solution = matrix.fullPivLu().solve(right);
+      else
+        solution = matrix.partialPivLu().solve(right);
       const Eigen::Matrix2d inverse_mass = rows * solution.topRows(n);
 
       const Eigen::Vector2d speeds  = rows * state.v;

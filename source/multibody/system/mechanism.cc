@@ -167,9 +167,24 @@ namespace Tribody
           for (const auto &[name, position] : body.markers)
             the_size = std::max(the_size, position.norm());
         }
-      // A single body that turns about its centre of mass has no length.
       if (the_size == 0)
-        the_size = 1.;
+        the_size = find_distance();
+    }
+
+
+
+    double
+    Mechanism::find_distance() const
+    {
+      double distance = 0.;
+      for (const auto &[name, position] : the_parameters.ground.markers)
+        distance = std::max(distance, position.norm());
+      for (const BodyParameters &body : the_parameters.bodies)
+        distance = std::max(distance, body.initial_position.norm());
+      for (const SpringParameters &spring : the_parameters.springs)
+        distance = std::max(distance, spring.reference_length);
+      // A single body that turns about its centre of mass has no length.
+      return distance > 0. ? distance : 1.;
     }
 
 

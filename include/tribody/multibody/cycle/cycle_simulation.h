@@ -83,6 +83,11 @@ namespace Tribody
           const Arcs       &arcs       = {},
           const DutyCycle  *before     = nullptr) const;
 
+      /// Make sure that a motion which the drivers prescribe repeats with the
+      /// cycle, as wear takes for granted. @throws ExcParameter.
+      void
+      check_repetition() const;
+
       /// Of the joints as manufactured.
       std::vector<ReferenceScale>
       reference_scales(const Supports &supports = {}) const;
@@ -100,6 +105,13 @@ namespace Tribody
       // That what they prescribe has a velocity, at least.
       void
       check_drivers() const;
+
+      // What run() does but for the premises.
+      DutyCycle
+      find_cycle(const Clearances &clearances,
+                 const Supports   &supports,
+                 const Arcs       &arcs,
+                 const DutyCycle  *before) const;
 
       // Nothing but constraints is asked.
       bool
@@ -187,6 +199,8 @@ namespace Tribody
       const Mechanism          closed_mechanism;
       const EquationsOfMotion  closed_equations;
       const double             period;
+      // What to say of the mechanism and its start with every cycle.
+      std::string premises;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -45,6 +45,8 @@ namespace Tribody
      * Solve Phi(q, t) = offsets for the configuration nearest to @p q by
      * Newton's method, with steps of least length (angles times the size of
      * the mechanism) while the mechanism has degrees of freedom.
+     * @param mobility one per coordinate, or none: by how much less than others
+     *   a coordinate is moved where there is a choice.
      * @return how it ended; q is improved in place. The residual is in units
      *   of the mechanism's size.
      */
@@ -52,7 +54,8 @@ namespace Tribody
     solve_positions(const EquationsOfMotion &equations,
                     const double             t,
                     const ConstraintOffsets &offsets,
-                    Eigen::VectorXd         &q);
+                    Eigen::VectorXd         &q,
+                    const Eigen::VectorXd   &mobility = {});
 
     /// The smallest velocities (in the same sense) with
     /// Phi_q v + Phi_t = d(offsets)/dt.
