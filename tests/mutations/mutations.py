@@ -172,8 +172,8 @@ def spoilt_unit(rng, case):
             text.upper(),
             text[::-1],
             "lg(re " * 60 + "1 " + text + ")" * 60,
-            "(" * 2000 + text + ")" * 2000,
-            " ".join([text] * 3000),
+            "(" * 99 + text + ")" * 99,
+            " ".join([text] * 300),
         ]
     )
     return change(case, entry, replace_match(entry[4], unit, spoilt))

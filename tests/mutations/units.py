@@ -151,7 +151,10 @@ class Parser:
 def parse_unit(text):
     """(factor, exponents) of 'mm^3/(N m)'. Raises UnknownUnit."""
     parser = Parser(text)
-    unit = parser.product()
+    try:
+        unit = parser.product()
+    except RecursionError as error:
+        raise UnknownUnit(text) from error
     if parser.next() is not None:
         raise UnknownUnit(text)
     return unit
