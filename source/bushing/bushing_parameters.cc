@@ -306,9 +306,10 @@ namespace Tribody
               Units::to_string(limits[i], limit.si_unit, limit.shown_unit) +
                 " is passed before any wear: the " + limit.quantity +
                 " of the new joint is " +
-                Units::to_string(std::stod(significant_digits(unworn, 6)),
-                                 limit.si_unit,
-                                 limit.shown_unit) +
+                Units::to_string(
+                  std::strtod(significant_digits(unworn, 6).c_str(), nullptr),
+                  limit.si_unit,
+                  limit.shown_unit) +
                 ". Set a larger limit, or 0 for none"));
         }
     }
@@ -362,6 +363,15 @@ namespace Tribody
                            " must be larger than the bushing radius of "
                            "the joint, " +
                            Units::to_string(joint.bushing_radius, "m", "mm")));
+          constexpr double largest_ratio = 1e3;
+          AssertThrow(
+            outer_radius <= largest_ratio * joint.bushing_radius,
+            ExcParameter("Bushing " + name + "/Outer radius",
+                         Units::to_string(outer_radius, "m", "mm") +
+                           " is more than 1000 times the bushing radius of "
+                           "the joint, " +
+                           Units::to_string(joint.bushing_radius, "m", "mm") +
+                           ", too much for a mesh of this wall"));
           rim_shape.check("Bushing " + name,
                           joint.bushing_radius,
                           outer_radius);

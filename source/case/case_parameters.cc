@@ -528,6 +528,22 @@ namespace Tribody
 
 
 
+      // Steps that are a small enough part of the run are lost in its rounding.
+      void
+      check_cycles_per_step(const CaseParameters &parameters)
+      {
+        constexpr double most_steps = 1e9;
+        const double     step       = parameters.wear.cycles_per_step;
+        AssertThrow(step == 0. || parameters.cycles / step <= most_steps,
+                    ExcParameter("Wear/Cycles per step",
+                                 Units::to_string(step, "", "") +
+                                   " is too short a step for " +
+                                   std::to_string(parameters.cycles) +
+                                   " cycles: there may be at most 1e9 steps"));
+      }
+
+
+
       void
       check(const CaseParameters &parameters)
       {
@@ -535,6 +551,7 @@ namespace Tribody
           material.check();
         parameters.dynamics.check();
         parameters.wear.check();
+        check_cycles_per_step(parameters);
         parameters.mechanism.check();
 
         for (const BushingParameters &bushing : parameters.bushings)
@@ -625,6 +642,12 @@ namespace Tribody
         {
           throw ExcInput(file.location(exception.path) + ": " + exception.path +
                          ": " + exception.problem);
+        }
+      // Nothing has been run: what cannot be evaluated here is part of the
+      // input.
+      catch (const ExcRun &exception)
+        {
+          throw ExcInput(file_name + ": " + message_of(exception));
         }
       return parameters;
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/results/run_results.h>
@@ -76,15 +78,20 @@ namespace Tribody
                       const Eigen::VectorXd &node_angles,
                       const double           worn_volume,
                       const JointTotals     &totals,
-                      const SurfaceTotals   &surface_totals)
+                      const SurfaceTotals   &surface_totals,
+                      const double           bore_volume)
       {
+        // Of the bore: less is not told from what roundings leave in the place
+        // of its surface.
+        constexpr double noticeable = 1e-12;
+
         const Eigen::Index deepest = surface.profile.deepest_node();
         SurfaceResults     results;
         results.max_wear_depth = surface.profile.max_depth();
         results.max_wear_angle = node_angles[deepest];
         results.worn_volume    = worn_volume;
         results.worn_mass      = worn_volume * surface.density;
-        if (surface_totals.removed_volume > 0.)
+        if (surface_totals.removed_volume > noticeable * bore_volume)
           results.volume_balance_relative_error =
             std::abs(worn_volume / surface_totals.removed_volume - 1.);
         results.depth_error  = surface.part_of(totals.depth_error)[deepest];
@@ -102,6 +109,9 @@ namespace Tribody
       {
         const JointState                 &joint    = state.joints[number];
         const std::vector<WearingSurface> surfaces = bushing.surfaces();
+        const double radius      = bushing.joint_parameters().bushing_radius;
+        const double bore_volume = dealii::numbers::PI * radius * radius *
+                                   bushing.bushing_parameters().axial_length;
 
         BushingResults results;
         results.name    = bushing.name();
@@ -110,13 +120,15 @@ namespace Tribody
                                           bushing.node_angles(),
                                           bushing.worn_volume(),
                                           joint.totals,
-                                          joint.totals.surfaces[0]);
+                                          joint.totals.surfaces[0],
+                                          bore_volume);
         if (const WearingPin *pin = bushing.wearing_pin())
           results.pin = measure_surface(surfaces[1],
                                         pin->node_angles(),
                                         bushing.pin_worn_volume(),
                                         joint.totals,
-                                        joint.totals.surfaces[1]);
+                                        joint.totals.surfaces[1],
+                                        bore_volume);
         results.crescent  = compute_crescent(bushing, cycle, joint.totals);
         results.clearance = bushing.largest_clearance(joint.depth);
         results.mesh_oscillation =
@@ -127,6 +139,32 @@ namespace Tribody
             state.mesh_errors[number].covers_whole_run)
           results.mesh_error = state.mesh_errors[number].wear_depth;
         return results;
+      }
+
+
+
+      /// @throws ExcRun where it has something that is not a finite number.
+      void
+      check_motion(const Multibody::DutyCycle &cycle)
+      {
+        const std::string advice =
+          " is not a finite number. Look at masses, stiffnesses, speeds and "
+          "expressions";
+        // Their sizes too, which have squares.
+        for (const Multibody::JointDutyCycle &joint : cycle.joints)
+          AssertThrow(joint.force().allFinite() &&
+                        joint.normal_force.allFinite() &&
+                        joint.moment.allFinite(),
+                      ExcRun("Joint " + joint.name + ": a force" + advice));
+        for (const Multibody::DriverDutyCycle &driver : cycle.drivers)
+          AssertThrow(driver.force_x.allFinite() &&
+                        driver.force_y.allFinite() &&
+                        driver.moment.allFinite() && driver.power.allFinite(),
+                      ExcRun("Driver " + driver.name + ": a force" + advice));
+        AssertThrow(cycle.coordinates.allFinite() &&
+                      cycle.velocities.allFinite() &&
+                      cycle.accelerations.allFinite(),
+                    ExcRun("A position, velocity or acceleration" + advice));
       }
     } // namespace
 
@@ -206,12 +244,7 @@ namespace Tribody
     {
       constexpr double largest_volume_error = 0.01, largest_energy_error = 0.1;
 
-      for (const Multibody::JointDutyCycle &joint :
-           results.state.duty_cycle.joints)
-        AssertThrow(joint.force_x.allFinite() && joint.force_y.allFinite(),
-                    ExcRun("Joint " + joint.name +
-                           ": a force is not a finite number. Look at masses, "
-                           "expressions and tolerances"));
+      check_motion(results.state.duty_cycle);
       for (const BushingResults &bushing : results.bushings)
         {
           AssertThrow(results.state.joints[bushing.number].depth.allFinite(),

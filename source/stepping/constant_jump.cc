@@ -2,6 +2,8 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <tribody/base/exceptions.h>
+#include <tribody/base/significant_digits.h>
 #include <tribody/stepping/constant_jump.h>
 #include <tribody/wear/constant_extrapolation.h>
 
@@ -71,6 +73,14 @@ namespace Tribody
           n_cycles     = passed->second;
         }
       step.cycles = state.cycles + n_cycles;
+      AssertThrow(step.cycles > state.cycles,
+                  ExcRun("After " + significant_digits(state.cycles, 6) +
+                         " cycles a wear step of " +
+                         significant_digits(n_cycles) +
+                         " cycles leads nowhere; steps longer than " +
+                         significant_digits(state.stepper.max_stable_step) +
+                         " cycles are not stable. Look at 'Wear coefficient' "
+                         "and its factors"));
       step.depths = depths_after(rates, n_cycles);
       for (const WearRates &of_joint : rates)
         step.removed_areas.push_back(n_cycles * of_joint.removed_area);

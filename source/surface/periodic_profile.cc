@@ -127,10 +127,16 @@ namespace Tribody
 
 
 
+  // Of an angle that is not finite the curve would make an exception of
+  // Boost's. Such are steps of an integration or of Newton's method that are
+  // tried, found to be too long and taken again.
   double
   PeriodicProfile::value(const double angle) const
   {
-    return spline ? spline->curve(spline->reduced(angle)) : the_mean;
+    if (!spline)
+      return the_mean;
+    return std::isfinite(angle) ? spline->curve(spline->reduced(angle))
+                                : std::nan("");
   }
 
 
@@ -140,6 +146,8 @@ namespace Tribody
   {
     if (!spline)
       return {the_mean, 0., 0.};
+    if (!std::isfinite(angle))
+      return {std::nan(""), std::nan(""), std::nan("")};
     const double x = spline->reduced(angle);
     return {spline->curve(x),
             spline->curve.prime(x),

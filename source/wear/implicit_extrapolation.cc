@@ -220,7 +220,10 @@ namespace Tribody
       throw ExcRun("The integration of wear stopped after " +
                    std::to_string(cycles) + " cycles (" + function +
                    " of SUNDIALS returned " + code +
-                   "). A larger 'Wear/Tolerance' or a finer mesh may help.");
+                   "). A larger 'Wear/Tolerance' or a finer mesh may help" +
+                   (cycles < 1. ? ", if the wear of a single cycle is small: "
+                                  "look at 'Wear coefficient' and its factors."
+                                : "."));
     }
 
 

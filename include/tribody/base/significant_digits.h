@@ -3,6 +3,7 @@
 #ifndef tribody_base_significant_digits_h
 #define tribody_base_significant_digits_h
 
+#include <cstdlib>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -16,8 +17,9 @@ namespace Tribody
   {
     std::ostringstream rounded, out;
     rounded << std::setprecision(n_digits) << value;
-    // Once more, so that 1574 becomes 1570 and not 1.57e+03.
-    out << std::stod(rounded.str());
+    // Once more, so that 1574 becomes 1570 and not 1.57e+03. Not std::stod(),
+    // which throws where a number is too small for all of its digits.
+    out << std::strtod(rounded.str().c_str(), nullptr);
     return out.str();
   }
 } // namespace Tribody

@@ -144,10 +144,13 @@ namespace Tribody
       for (unsigned int round = 0; round < max_rounds; ++round)
         {
           motion = solve_motion(closed, t, offsets, moments, motion.q);
-          AssertThrow(motion.q.allFinite() && motion.multipliers.allFinite(),
+          // Their squares too: lengths of vectors are taken below.
+          AssertThrow(motion.q.allFinite() &&
+                        std::isfinite(motion.v.squaredNorm()) &&
+                        std::isfinite(motion.multipliers.squaredNorm()),
                       ExcRun("at time " + significant_digits(t, 6) +
-                             " s the reactions of the joints are not finite "
-                             "numbers"));
+                             " s the reactions of the joints, or speeds, are "
+                             "not finite numbers"));
           const std::vector<RestingPin> pins   = rest_pins(motion);
           const double                  factor = round < many_rounds ? 1. : 0.5;
           double change = 0., force = 0., force_change = 0.;
