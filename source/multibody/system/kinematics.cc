@@ -163,9 +163,10 @@ namespace Tribody
 
 
     Eigen::VectorXd
-    compute_initial_velocities(const EquationsOfMotion &equations,
+    compute_nearest_velocities(const EquationsOfMotion &equations,
                                const double             t,
-                               const Eigen::VectorXd   &q)
+                               const Eigen::VectorXd   &q,
+                               const Eigen::VectorXd   &v)
     {
       const Mechanism   &mechanism = equations.mechanism();
       const unsigned int m         = mechanism.n_constraints();
@@ -173,8 +174,18 @@ namespace Tribody
       equations.assemble_time_derivatives(t, phi_t, phi_tt);
       Eigen::MatrixXd phi_q(m, mechanism.n_coordinates());
       equations.assemble_constraint_jacobian(q, phi_q);
-      const Eigen::VectorXd &v = mechanism.initial_velocities();
       return v + solve_least_norm(equations, q, -phi_t - phi_q * v);
+    }
+
+
+
+    Eigen::VectorXd
+    compute_initial_velocities(const EquationsOfMotion &equations,
+                               const double             t,
+                               const Eigen::VectorXd   &q)
+    {
+      return compute_nearest_velocities(
+        equations, t, q, equations.mechanism().initial_velocities());
     }
 
 
@@ -260,7 +271,13 @@ namespace Tribody
                        "before: " +
                        worst.description + " " + worst.problem);
         }
-      motion.v = compute_velocities(equations, t, offsets, motion.q);
+      if (equations.mechanism().n_degrees_of_freedom() <= 0)
+        motion.v = compute_velocities(equations, t, offsets, motion.q);
+      else
+        // The offsets' own, and the rest as it is wished for.
+        motion.v =
+          compute_initial_velocities(equations, t, motion.q) +
+          solve_least_norm(equations, motion.q, offsets.first_derivative);
       Eigen::VectorXd forces(motion.q.size());
       equations.assemble_forces(t, motion.q, motion.v, {}, forces);
       forces += extra_forces;
