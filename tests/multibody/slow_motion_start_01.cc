@@ -9,7 +9,7 @@
 //
 // A bar that is let go from the horizontal, hung at its end: the force there is
 // m g/4, its length l in the mechanism being as good as the clearance is small
-// beside it; the pin is below the middle of the bore by the clearance, and the
+// beside it; the pin is above the middle of the bore by the clearance, and the
 // bar at rest.
 //
 // A mass that a motor moves as sin(omega t): the force reverses at the start,
@@ -197,7 +197,8 @@ reversing_force(const JointModel model)
   guide.name          = "guide of the ram";
   p.joints.push_back(guide);
   guide.name          = "guide of the load";
-  guide.second_marker = "load.l";
+  guide.type          = JointType::point_on_line;
+  guide.second_marker = "load.r";
   p.joints.push_back(guide);
   p.ground.markers["E"] = {-1., 0.};
   DriverParameters motor;
@@ -253,8 +254,7 @@ four_bar(const JointModel model)
                  ConstraintOffsets(s.closed_mechanism.n_constraints()),
                  Eigen::VectorXd::Zero(9),
                  assemble_configuration(s.closed, 0.));
-  std::cout << "four-bar, " << name(model) << ": " << s.start.report.message
-            << std::endl;
+  std::cout << "four-bar, " << name(model) << std::endl;
   report_below("  velocities, relative difference",
                (s.start.state.v - ideal.v).norm() / ideal.v.norm(),
                2e-2);

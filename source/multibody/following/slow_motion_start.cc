@@ -113,7 +113,8 @@ namespace Tribody
 
 
 
-      // Pins that follow their bores around the time t_0.
+      // Pins that follow their bores around the time t_0. Throws ExcRun where
+      // their own motion matters too much.
       FollowingInstant
       follow_motion(const FollowingPins   &pins,
                     const double           t_0,
@@ -121,11 +122,18 @@ namespace Tribody
                     const Eigen::VectorXd &q)
       {
         constexpr unsigned int max_passes = 30;
-        constexpr double       tolerance  = 1e-8;
+        // Of the forces: what the pins' motion may change them by, and where
+        // the passes end. Second differences over a short time magnify what a
+        // pass changes. With much of it the passes grow, and may end at a
+        // motion of the pins that has nothing to do with that of the mechanism:
+        // each is to change no more than half of what the one before did.
+        constexpr double follows = 0.02, tolerance = 1e-8, shrinks = 0.5;
 
         std::array<FollowingInstant, n_times> instants;
         std::array<PinRates, n_times>         rates;
         rates.fill(pins.no_rates());
+        FollowingInstant best;
+        double           last_change = 0.;
         for (unsigned int pass = 0; pass < max_passes; ++pass)
           {
             const Eigen::Matrix2Xd before = instants[centre].reactions;
@@ -133,16 +141,27 @@ namespace Tribody
               instants[k] = pins.find(t_0 + (k - centre) * spacing,
                                       pass == 0 ? q : instants[k].state.q,
                                       rates[k]);
-            const Eigen::Matrix2Xd &now = instants[centre].reactions;
-            if (pass > 0 &&
-                largest_column(now - before) <= tolerance * largest_column(now))
-              return instants[centre];
+            if (pass > 0)
+              {
+                const double force = largest_column(before);
+                const double change =
+                  largest_column(instants[centre].reactions - before);
+                AssertThrow(pass > 1 || change <= follows * force,
+                            ExcRun("by their motion in the bores, which the "
+                                   "turning of the forces asks of them, these "
+                                   "would change from " +
+                                   Units::to_string(force, "N", "N") + " by " +
+                                   Units::to_string(change, "N", "N")));
+                if (pass > 1 && change > shrinks * last_change)
+                  return best;
+                best        = instants[centre];
+                last_change = change;
+                if (change <= tolerance * force)
+                  return best;
+              }
             rates = find_rates(pins, instants, spacing);
           }
-        throw ExcRun(
-          "the places of the pins and their motion in the bores did "
-          "not come to agree in " +
-          std::to_string(max_passes) + " rounds");
+        return best;
       }
 
 

@@ -34,12 +34,12 @@ namespace Tribody
      * A start with pins at their bores where the forces of the joints press
      * them, as FollowingPins. Without degrees of freedom they follow: they are
      * sought at five times around @p t_0, so that their motion in the bores is
-     * known by differences, and nothing vibrates. Where forces reverse there,
-     * or with degrees of freedom, whose motion is not known before it is
-     * integrated, they rest in their bores while the bodies have the
-     * velocities of ideal joints. Where not even that is a state near the
-     * motion of ideal joints, in velocities and forces, the start is centred.
-     * The message of the report says so.
+     * known by differences, and nothing vibrates. Where that motion would
+     * change the forces, as those that reverse or turn fast, or with degrees of
+     * freedom, whose motion is not known before it is integrated, they rest in
+     * their bores while the bodies have the velocities of ideal joints. Where
+     * not even that is a state near the motion of ideal joints, in velocities
+     * and forces, the start is centred. The message of the report says so.
      *
      * @param equations with clearance joints; @param closed with ideal ones.
      * @param spacing of the five times [s], a small part of a cycle.
