@@ -195,7 +195,7 @@ swing(const unsigned int n_bars, const double e, const double mu)
       energy       = std::max(energy, flight.energy(now));
     }
   std::cout << n_bars << " bars, e " << e << ", mu " << mu
-            << ": there are impacts: " << (flight.motion.events().size() > 20)
+            << ": there are impacts: " << (flight.motion.events().size() > 5)
             << std::endl;
   report_below("  largest e/c - 1", eccentricity - 1., 1e-6);
   report_below("  energy gained [J]", energy - start, 1e-3);
