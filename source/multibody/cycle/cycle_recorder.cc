@@ -117,7 +117,7 @@ namespace Tribody
                           const EquationsOfMotion         &present)
     {
       stop_if_interrupted();
-      check_pins(state.time, joint_contacts);
+      check_pins(state, joint_contacts);
       times(k) = state.time;
       q.col(k) = state.q;
       v.col(k) = state.v;
@@ -142,26 +142,49 @@ namespace Tribody
 
     void
     CycleRecorder::check_pins(
-      const double                     time,
+      const MechanismState            &state,
       const std::vector<JointContact> &joint_contacts) const
     {
-      for (unsigned int j = 0; j < joint_contacts.size(); ++j)
-        {
-          const ClearanceJoint &joint =
-            equations.mechanism().clearance_joints()[j];
-          const double distance = joint_contacts[j].eccentricity.norm();
-          const double allowed =
-            joint.bushing_radius +
-            std::max(0., distance - joint_contacts[j].penetration);
-          AssertThrow(distance <= allowed,
-                      ExcRun("Joint " + joint.name + ": at time " +
-                             significant_digits(time, 6) +
-                             " s the pin's centre is " +
-                             Units::to_string(distance, "m", "mm") +
-                             " from the bushing's, outside the bore: its "
-                             "contact force law has not held it. Look at "
-                             "loads, speed, radii and moduli"));
-        }
+      // Of the clearance; what integration leaves of rigid surfaces and links
+      // is far below.
+      constexpr double tolerance = 1e-2;
+      const auto       check     = [&](const std::string &name,
+                             const double       distance,
+                             const double       allowed,
+                             const std::string &reason) {
+        AssertThrow(distance <= allowed,
+                    ExcRun("Joint " + name + ": at time " +
+                           significant_digits(state.time, 6) +
+                           " s the pin's centre is " +
+                           Units::to_string(distance, "m", "mm") +
+                           " from the bushing's, outside the bore: " + reason));
+      };
+      for (const JointEntry &joint : equations.mechanism().joints())
+        if (joint.has_contact_law())
+          {
+            const JointContact &contact  = joint_contacts[joint.index];
+            const double        distance = contact.eccentricity.norm();
+            check(joint.name,
+                  distance,
+                  joint.bushing_radius +
+                    std::max(0., distance - contact.penetration),
+                  "its contact force law has not held it. Look at "
+                  "loads, speed, radii and moduli");
+          }
+        else if (joint.link != nullptr)
+          check(
+            joint.name,
+            joint.link->eccentricity(joint.bodies.gather(state.q)).norm(),
+            (1. + tolerance) * joint.link->length,
+            joint.model == JointModel::impact
+              ? "nothing but impacts can hold it there, and the clearance is "
+                "only " +
+                  Units::to_string(joint.link->length, "m", "mm") +
+                  ". They need 'Dynamics/Analysis = dynamic'; there a "
+                  "smaller 'Dynamics/Accuracy' finds more of them"
+              : "its link has a length of only " +
+                  Units::to_string(joint.link->length, "m", "mm") +
+                  ". Use a smaller 'Dynamics/Accuracy'");
     }
 
 

@@ -675,34 +675,16 @@ namespace Tribody
             "bushings";
           return start;
         }
-      if (closed_mechanism.n_degrees_of_freedom() != 0)
-        {
-          start.report.message =
-            "with free degrees of freedom there is no start in slow motion; "
-            "the pins began in the middle of their bushings";
-          return start;
-        }
-      std::string reason;
-      try
-        {
-          StartingState slow = compute_slow_motion_start(equations,
-                                                         closed_equations,
-                                                         0.,
-                                                         period / 360);
-          if (slow.report.converged)
-            return slow;
-          reason = slow.report.message;
-        }
-      catch (const ExcRun &error)
-        {
-          // The ideal mechanism moves, as the constructor has seen: it is the
-          // offsets of the pins that have grown too large.
-          reason = message_of(error);
-        }
-      start.report.message =
-        "no start in slow motion was found, so that the pins began in the "
-        "middle of their bushings (" +
-        reason + ")";
+      start = compute_slow_motion_start(equations,
+                                        closed_equations,
+                                        0.,
+                                        period / 360);
+      if (!start.report.message.empty())
+        start.report.message +=
+          parameters.maximum_settling_cycles > 0
+            ? "; a motion that settles forgets it"
+            : "; the cycle, which is recorded from the start, has the "
+              "vibration that follows";
       return start;
     }
 

@@ -340,9 +340,13 @@ namespace Tribody
           if (!joint.has_gap())
             take(joint.index, ideal.joints()[j].index);
           else if (joint.link != nullptr)
-            // Its only multiplier is the force along the link.
-            result(mechanism.constraints()[joint.index].first_row) =
-              reaction(p++, motion.multipliers).norm();
+            {
+              // Its only multiplier is the force along the link.
+              if (!joint.is_flying)
+                result(mechanism.constraints()[joint.index].first_row) =
+                  reaction(p, motion.multipliers).norm();
+              ++p;
+            }
           else
             ++p;
         }
@@ -366,6 +370,14 @@ namespace Tribody
         compute_accelerations(
           closed, instant.state.time, offsets, instant.state.q, zero, zero)
           .multipliers;
+      return reactions(multipliers);
+    }
+
+
+
+    Eigen::Matrix2Xd
+    FollowingPins::reactions(const Eigen::VectorXd &multipliers) const
+    {
       Eigen::Matrix2Xd forces(2, rows.size());
       for (std::size_t p = 0; p < rows.size(); ++p)
         forces.col(p) = reaction(p, multipliers);

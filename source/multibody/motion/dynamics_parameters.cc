@@ -170,12 +170,15 @@ namespace Tribody
         "Start",
         start,
         "How a mechanism with clearance joints starts. 'slow motion': with "
-        "every pin touching its bushing, such that contact and friction "
-        "forces balance the motion without vibration; where no such start is "
-        "found, as 'centred', which is reported. 'centred': with every pin in "
-        "the middle of its bushing, so that the first contact is an impact. "
-        "'static equilibrium': any mechanism, in the position in which forces "
-        "and contacts balance.");
+        "every pin at its bore where the force of its joint presses it, moving "
+        "along it such that nothing vibrates; where that cannot be, as where a "
+        "force reverses, or with degrees of freedom, at rest there while the "
+        "bodies have the velocities of ideal joints; and where velocities or "
+        "forces would be far from those of ideal joints even so, as 'centred'. "
+        "What it comes to is reported, unless nothing vibrates. 'centred': "
+        "with every pin in the middle of its bushing, so that the first "
+        "contact is an impact. 'static equilibrium': any mechanism, in the "
+        "position in which forces and contacts balance.");
       Parameters::add_choice(
         prm,
         "Energy balance",

@@ -405,7 +405,13 @@ namespace Tribody
                        "before: " +
                        worst.description + " " + worst.problem);
         }
-      motion.v = compute_velocities(equations, t, offsets, motion.q);
+      if (equations.mechanism().n_degrees_of_freedom() <= 0)
+        motion.v = compute_velocities(equations, t, offsets, motion.q);
+      else
+        // The offsets' own, and the rest as it is wished for.
+        motion.v =
+          compute_initial_velocities(equations, t, motion.q) +
+          solve_least_norm(equations, motion.q, offsets.first_derivative);
       Eigen::VectorXd forces(motion.q.size());
       equations.assemble_forces(t, motion.q, motion.v, {}, forces);
       forces += extra_forces;

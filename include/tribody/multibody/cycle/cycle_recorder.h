@@ -105,7 +105,7 @@ namespace Tribody
 
       // Throws ExcRun if the centre of a pin is outside its bore.
       void
-      check_pins(const double                     time,
+      check_pins(const MechanismState            &state,
                  const std::vector<JointContact> &joint_contacts) const;
 
       std::vector<JointContact>

@@ -128,7 +128,9 @@ namespace Tribody
      * Kinematics and inverse dynamics of a mechanism without degrees of freedom
      * and without clearance joints at time @p t: positions near @p q_guess,
      * then everything else in turn. @p extra_forces are added to gravity and
-     * springs. @throws ExcRun if there is no such position, naming the joint
+     * springs. With degrees of freedom: at the beginning of the motion,
+     * positions nearest to the guess and velocities to the initial ones.
+     * @throws ExcRun if there is no such position, naming the joint
      *   that cannot be closed.
      */
     Motion
