@@ -2,6 +2,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/multibody/cycle/creep.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
@@ -836,6 +837,7 @@ namespace Tribody
             integrator.peak_forces()[mechanism.joints()[j].index];
         else
           cycle.joints[j].peak_force_since_start = cycle.joints[j].peak_force();
+      judge_creep(mechanism, closed_equations, cycle);
       return cycle;
     }
   } // namespace Multibody

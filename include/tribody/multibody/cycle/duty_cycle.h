@@ -106,6 +106,12 @@ namespace Tribody
       /// many as samples.
       Eigen::VectorXd sliding_halves;
 
+      /// If friction holds the joint: what it has crept instead [m], which is
+      /// not in the sliding. See judge_creep().
+      double creep_distance = 0.;
+      /// Otherwise the part of the sliding that is creep [-].
+      double creep_share = 0.;
+
       /// If several cycles were recorded: the mean of their peak forces [N].
       double mean_peak_force = 0.;
       /// Likewise the standard deviation of the peak force from cycle to cycle
