@@ -30,6 +30,7 @@ namespace Tribody
       errors.sampling    = joint.sampling_error(reach);
       errors.inertia     = joint.wear_of_neglected_inertia;
       errors.integration = cycle.integration_error;
+      errors.creep       = joint.creep_share;
       const Multibody::SettlingReport &settling = cycle.settling;
       const unsigned int               n        = settling.n_averaged_cycles;
       if (n == 1)

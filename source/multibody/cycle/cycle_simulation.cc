@@ -4,6 +4,7 @@
 #include <tribody/base/significant_digits.h>
 #include <tribody/multibody/assembly/assembly_checks.h>
 #include <tribody/multibody/assembly/redundancy.h>
+#include <tribody/multibody/cycle/creep.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
@@ -728,6 +729,7 @@ namespace Tribody
         !goes_on || before->settling.converged);
       cycle.settling.message =
         describe_settling(cycle.settling, start.report.message);
+      judge_creep(mechanism, closed_equations, cycle);
       return cycle;
     }
   } // namespace Multibody

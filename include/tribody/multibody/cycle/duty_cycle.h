@@ -108,6 +108,12 @@ namespace Tribody
       /// many as samples.
       Eigen::VectorXd sliding_halves;
 
+      /// If friction holds the joint: what it has crept instead [m], which is
+      /// not in the sliding. See judge_creep().
+      double creep_distance = 0.;
+      /// Otherwise the part of the sliding that is creep [-].
+      double creep_share = 0.;
+
       /// If several cycles were recorded: twice the standard error of the mean
       /// of normal force times sliding, relative to it [-].
       double wear_scatter = 0.;
