@@ -21,6 +21,8 @@ namespace Tribody
   {
     // Files and directories are named after names, and columns of tables.
     constexpr std::size_t max_name_length = 100;
+    // Of a list; each has a subsection with all its parameters.
+    constexpr std::size_t max_n_names = 5000;
 
 
 
@@ -256,6 +258,10 @@ namespace Tribody
                     ExcInput("the name " + in_quotes(part) +
                              " is given twice"));
         names.push_back(part);
+        AssertThrow(names.size() <= max_n_names,
+                    ExcInput("more than " + std::to_string(max_n_names) +
+                             " names, the first of them " +
+                             in_quotes(names.front())));
       }
     return names;
   }

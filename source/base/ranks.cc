@@ -96,9 +96,11 @@ namespace Tribody
       to_show(const std::string &message)
       {
         constexpr std::size_t max_length = 1000;
-        return printable(message.size() <= max_length
-                           ? message
-                           : message.substr(0, max_length) + " ...");
+        const std::string     text       = printable(message);
+        // What the cut leaves of a character is none.
+        return text.size() <= max_length
+                 ? text
+                 : printable(text.substr(0, max_length)) + " ...";
       }
 
 

@@ -179,8 +179,7 @@ namespace Tribody
     bool
     is_of_usual_size(const double value)
     {
-      return value == 0. ||
-             (std::abs(value) < 1e100 && std::abs(value) > 1e-100);
+      return value == 0. || (std::abs(value) < 1e40 && std::abs(value) > 1e-40);
     }
 
 
@@ -210,7 +209,7 @@ namespace Tribody
                     is_of_usual_size(value),
                   ExcInput(in_quotes(text) +
                            " starts with a number that is too large or too "
-                           "small; numbers may be from 1e-100 to 1e100, or 0"));
+                           "small; numbers may be from 1e-40 to 1e40, or 0"));
       return {value,
               number,
               boost::algorithm::trim_copy(text.substr(number.size()))};
@@ -318,7 +317,7 @@ namespace Tribody
                   (result != 0. || value == 0.),
                 ExcInput(in_quotes(trimmed) +
                          " is too large or too small; in " + si_unit +
-                         " it may be from 1e-100 to 1e100, or 0"));
+                         " it may be from 1e-40 to 1e40, or 0"));
     return result;
   }
 

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -90,6 +91,35 @@ namespace Tribody
 
 
 
+      const std::vector<std::string> &
+      names_of_kind(const std::vector<NameList> &lists, const std::string &kind)
+      {
+        const auto list =
+          std::find_if(lists.begin(), lists.end(), [&kind](const auto &l) {
+            return l.kind == kind;
+          });
+        Assert(list != lists.end(), dealii::ExcInternalError());
+        return list->names;
+      }
+
+
+
+      // Before everything is declared for them: a bushing has many parameters.
+      void
+      check_bushing_names(const ParameterFile         &file,
+                          const std::vector<NameList> &lists)
+      {
+        const auto                 &names = names_of_kind(lists, "Joint");
+        const std::set<std::string> joints(names.begin(), names.end());
+        for (const std::string &name : names_of_kind(lists, "Bushing"))
+          AssertThrow(joints.count(name) == 1,
+                      ExcInput(file.location("Bushings") +
+                               ": Bushings: " + in_quotes(name) +
+                               " is not the name of a revolute joint"));
+      }
+
+
+
       // With the names that the file has.
       std::vector<NameList>
       read_name_lists(const ParameterFile &file)
@@ -105,6 +135,7 @@ namespace Tribody
               throw ExcInput(file.location(list.list) + ": " + list.list +
                              ": " + message_of(exception));
             }
+        check_bushing_names(file, lists);
         return lists;
       }
 
@@ -130,15 +161,11 @@ namespace Tribody
                    const std::string           &kind,
                    std::vector<Entry>          &entries)
       {
-        const auto list =
-          std::find_if(lists.begin(), lists.end(), [&kind](const auto &l) {
-            return l.kind == kind;
-          });
-        Assert(list != lists.end(), dealii::ExcInternalError());
-        entries.resize(list->names.size());
+        const std::vector<std::string> &names = names_of_kind(lists, kind);
+        entries.resize(names.size());
         for (std::size_t i = 0; i < entries.size(); ++i)
           {
-            entries[i].name = list->names[i];
+            entries[i].name = names[i];
             prm.enter_subsection(kind + " " + entries[i].name);
             entries[i].add_parameters(prm);
             prm.leave_subsection();

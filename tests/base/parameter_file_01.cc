@@ -152,7 +152,7 @@ main()
   std::filesystem::remove("long_lines.prm");
   body("PATH=/usr/bin\x1b[31m" + std::string(100, 'x') + " secret");
   body(std::string("set Choice = a\0b\xff\xc2\x9b\xc3\xa4", 21));
-  body("set Radius = " + std::string(100, '1') + "secret");
+  body("set Radius = " + std::string(30, '1') + "secret");
   read("main.prm", {"Body crank/Choice=two\nset Number = 7"});
   read("main.prm", {"Body crank/Choice=two # secret"});
   read("main.prm", {"Body crank/Choice=two\\"});

@@ -114,12 +114,8 @@ main()
   refuse("5 %", "");
   refuse("20 degC", "kg");
   // Too large and too small, before and behind the unit.
-  for (const char *text : {"1e308 Gg",
-                           "1e98 Gg",
-                           "1e-98 ng",
-                           "1e-320 kg",
-                           "1e-999 kg",
-                           "1e101 kg"})
+  for (const char *text :
+       {"1e308 Gg", "1e38 Gg", "1e-38 ng", "1e-320 kg", "1e-999 kg", "1e41 kg"})
     refuse(text, "kg");
   refuse("1e200", "");
   // Logarithms in each other fill any buffer.

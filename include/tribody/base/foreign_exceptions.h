@@ -9,8 +9,8 @@
 namespace Tribody
 {
   /// What to tell the user of an exception that is not ours and that nobody has
-  /// foreseen: memory that is lacking, a file with its path and the reason, else
-  /// what it says itself.
+  /// foreseen: memory that is lacking, a file with its path and the reason,
+  /// else what it says itself.
   std::string
   describe_foreign(const std::exception &exception);
 } // namespace Tribody
