@@ -17,6 +17,8 @@ namespace Tribody
       constexpr double largest_error        = 0.1;
       constexpr double largest_oscillation  = 0.1;
       constexpr double largest_energy_error = 0.01;
+      // From the next coarser mesh: about three times the error.
+      constexpr double largest_pressure_change = 0.3;
 
 
 
@@ -36,8 +38,8 @@ namespace Tribody
         const std::string joint = "'Joint " + bushing.name + "/";
         const std::vector<std::pair<double, std::string>> parts = {
           {bushing.step_error(),
-           "the wear steps: shorten them by 'Wear/Tolerance' or 'Wear/Cycles "
-           "per step'"},
+           "the wear steps: choose 'Wear/Extrapolation = implicit', or shorten "
+           "them by 'Wear/Tolerance' or 'Wear/Cycles per step'"},
           {bushing.mesh_error,
            "the mesh: refine it by 'Bushing " + bushing.name +
              "/Mesh/Bore cells'"},
@@ -82,7 +84,8 @@ namespace Tribody
                   ? ""
                   : ", or shorten the wear steps")});
         if (bushing.number < state.mesh_errors.size() &&
-            state.mesh_errors[bushing.number].max_pressure > largest_error)
+            state.mesh_errors[bushing.number].max_pressure >
+              largest_pressure_change)
           warnings.push_back(
             {"pressure",
              bushing.name,
