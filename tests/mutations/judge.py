@@ -48,7 +48,7 @@ RAW_TEXTS = [b"An error occurred in line", b"The violated condition was",
              b"bad_alloc", b"bad lexical cast", b"filesystem error", b"vector::_M",
              b"stod", b"stoi", b"stoul", b"AddressSanitizer", b"LeakSanitizer",
              b"runtime error:", b"MPI_ABORT", b"Assertion", b"bad optional access",
-             b"bad_variant", b"UDUNITS", b"udunits:", b"ut_parse"]
+             b"bad_variant", b"udunits:", b"ut_parse"]
 
 MAX_MESSAGE = 1024
 
