@@ -40,8 +40,7 @@ main(int argc, char **argv)
     }
   catch (const ExcInterrupted &interruption)
     {
-      return Ranks::fail("The run was " + message_of(interruption) +
-                           "; what it had reached is written.",
+      return Ranks::fail("The run was " + message_of(interruption) + ".",
                          128 + interruption.signal,
                          MPI_COMM_WORLD);
     }

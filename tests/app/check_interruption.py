@@ -77,8 +77,7 @@ def check_one_signal(program, prm, name, number):
     expect(f"{name}: exit status", status, 128 + number)
     expect(f"{name}: message", stderr,
            "Stopping after this step, to write what is reached; again to stop at "
-           f"once.\nThe run was interrupted by {signal.Signals(number).name}; what "
-           "it had reached is written.\n")
+           f"once.\nThe run was interrupted by {signal.Signals(number).name}.\n")
     summary = json.loads(pathlib.Path(name, "summary.json").read_text())
     expect(f"{name}: status", summary["status"], "stopped")
     expect(f"{name}: message", summary["message"],
