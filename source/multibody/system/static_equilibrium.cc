@@ -208,12 +208,11 @@ namespace Tribody
             decomposition.setThreshold(1e-10);
             const Eigen::MatrixXd basis = decomposition.householderQ();
             balance.free = basis.rightCols(n - decomposition.rank());
-            // Of least norm where they are not unique.
-            multipliers = mechanism.n_redundant() > 0
-                            ? columns.completeOrthogonalDecomposition()
-                                .solve(balance.forces)
-                                .eval()
-                            : decomposition.solve(balance.forces).eval();
+            if (mechanism.n_redundant() == 0)
+              multipliers = decomposition.solve(balance.forces);
+            else // of least norm, as they are not unique
+              multipliers =
+                columns.completeOrthogonalDecomposition().solve(balance.forces);
             balance.multipliers =
               multipliers.cwiseProduct(compute_constraint_scales(mechanism));
           }
