@@ -6,6 +6,8 @@
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/foreign_exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 #include <tribody/run/command_line.h>
 
@@ -36,6 +38,13 @@ main(int argc, char **argv)
                          2,
                          MPI_COMM_WORLD);
     }
+  catch (const ExcInterrupted &interruption)
+    {
+      return Ranks::fail("The run was " + message_of(interruption) +
+                           "; what it had reached is written.",
+                         128 + interruption.signal,
+                         MPI_COMM_WORLD);
+    }
   catch (const dealii::ExceptionBase &exception)
     {
       return Ranks::fail("The run failed: " + message_of(exception),
@@ -44,7 +53,7 @@ main(int argc, char **argv)
     }
   catch (const std::exception &exception)
     {
-      return Ranks::fail(std::string("The run failed: ") + exception.what(),
+      return Ranks::fail("The run failed: " + describe_foreign(exception),
                          1,
                          MPI_COMM_WORLD);
     }

@@ -6,10 +6,13 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include <tribody/base/expression.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/significant_digits.h>
 
+#include <cctype>
 #include <iostream>
 #include <sstream>
+#include <vector>
 
 namespace Tribody
 {
@@ -28,6 +31,75 @@ namespace Tribody
     {
       std::istringstream stream(text);
       return stream >> number && (stream >> std::ws).eof();
+    }
+
+
+
+    // The parser takes the last of several expressions, "0,5*t" for "5*t".
+    // Commas are for functions of several arguments.
+    bool
+    has_comma_outside_functions(const std::string &text)
+    {
+      std::vector<bool> is_call;
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '(')
+          {
+            const auto before = text.find_last_not_of(' ', i - 1);
+            is_call.push_back(
+              i > 0 && before != std::string::npos &&
+              (std::isalnum(static_cast<unsigned char>(text[before])) != 0 ||
+               text[before] == '_'));
+          }
+        else if (text[i] == ')' && !is_call.empty())
+          is_call.pop_back();
+        else if (text[i] == ',' && (is_call.empty() || !is_call.back()))
+          return true;
+      return false;
+    }
+
+
+
+    // "t = 0.5" would give the variable another value.
+    bool
+    has_assignment(const std::string &text)
+    {
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '=')
+          {
+            if (i + 1 < text.size() && text[i + 1] == '=')
+              ++i;
+            else if (i == 0 ||
+                     std::string("<>!").find(text[i - 1]) == std::string::npos)
+              return true;
+          }
+      return false;
+    }
+
+
+
+    /// @throws ExcParameter for what the parser takes, but otherwise than
+    /// meant.
+    void
+    check_meaning(const std::string &path, const std::string &text)
+    {
+      AssertThrow(
+        text.find("rand") == std::string::npos,
+        ExcParameter(path,
+                     in_quotes(text) +
+                       " asks for random numbers: the same file would "
+                       "give other results each time. A sum of sines "
+                       "of several frequencies may do"));
+      AssertThrow(!has_comma_outside_functions(text),
+                  ExcParameter(path,
+                               in_quotes(text) +
+                                 " are two expressions (a decimal comma?); "
+                                 "write 0.5, not 0,5"));
+      AssertThrow(!has_assignment(text),
+                  ExcParameter(path,
+                               in_quotes(text) +
+                                 " has a single '='; write '==' to compare, "
+                                 "and only what stands to the right of '=' to "
+                                 "define"));
     }
 
 
@@ -81,17 +153,12 @@ namespace Tribody
   {
     if (read_number(text, constant))
       return;
-    AssertThrow(text.find("rand") == std::string::npos,
-                ExcParameter(path,
-                             "'" + text +
-                               "' asks for random numbers: the same file would "
-                               "give other results each time. A sum of sines "
-                               "of several frequencies may do"));
+    check_meaning(path, text);
     const auto made = std::make_shared<Parser>();
     AssertThrow(
       parse(text, variables, made->function),
       ExcParameter(path,
-                   "'" + text + "' is not an expression of " +
+                   in_quotes(text) + " is not an expression of " +
                      variables.description + ". Write for example " +
                      variables.examples +
                      "; known are + - * / ^, sin, cos, tan, exp, log, sqrt, "

@@ -3,37 +3,98 @@
 #include <tribody/base/interruption.h>
 
 #include <csignal>
+#include <cstring>
+#include <unistd.h>
 
 namespace Tribody
 {
   namespace
   {
-    // The one thing that a signal handler may write to.
-    volatile std::sig_atomic_t interrupted = 0;
+    constexpr int watched[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1};
+
+    constexpr char what_happens[] =
+      "Stopping after this step, to write what is reached; again to stop at "
+      "once.\n";
+
+    // What a signal handler may write to.
+    volatile std::sig_atomic_t interrupting = 0;
+    volatile std::sig_atomic_t says_so      = 0;
 
     extern "C" void
     remember_signal(const int signal)
     {
-      interrupted = 1;
-      std::signal(signal, SIG_DFL);
+      if (interrupting != 0)
+        {
+          // The second one, whichever it is, ends the program.
+          std::signal(signal, SIG_DFL);
+          std::raise(signal);
+          return;
+        }
+      interrupting = signal;
+      // If nobody reads it, nothing is lost.
+      if (says_so != 0 &&
+          write(STDERR_FILENO, what_happens, std::strlen(what_happens)) < 0)
+        return;
     }
   } // namespace
 
 
 
-  void
-  watch_for_interruption()
+  std::string
+  name_of_signal(const int signal)
   {
-    interrupted = 0;
-    std::signal(SIGINT, remember_signal);
-    std::signal(SIGTERM, remember_signal);
+    switch (signal)
+      {
+        case SIGINT:
+          return "SIGINT";
+        case SIGTERM:
+          return "SIGTERM";
+        case SIGHUP:
+          return "SIGHUP";
+        case SIGUSR1:
+          return "SIGUSR1";
+        default:
+          return "signal " + std::to_string(signal);
+      }
   }
 
 
 
-  bool
-  was_interrupted()
+  void
+  watch_for_interruption(const bool says)
   {
-    return interrupted != 0;
+    interrupting = 0;
+    says_so      = says ? 1 : 0;
+    std::signal(SIGPIPE, SIG_IGN);
+    for (const int signal : watched)
+      {
+        struct sigaction before = {};
+        sigaction(signal, nullptr, &before);
+        // nohup asks for it. Shells ignore SIGINT for what a script has put in
+        // the background, though, where it can only come from 'kill'.
+        if (signal == SIGHUP && before.sa_handler == SIG_IGN)
+          continue;
+        struct sigaction action = {};
+        action.sa_handler       = remember_signal;
+        action.sa_flags         = SA_RESTART;
+        sigaction(signal, &action, nullptr);
+      }
+  }
+
+
+
+  int
+  interrupting_signal()
+  {
+    return interrupting;
+  }
+
+
+
+  void
+  stop_if_interrupted()
+  {
+    if (interrupting != 0)
+      throw ExcInterrupted(interrupting);
   }
 } // namespace Tribody

@@ -6,18 +6,24 @@
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim_all.hpp>
 #include <nlohmann/json.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/parameter_file.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <numeric>
 #include <sstream>
+#include <system_error>
 
 namespace Tribody
 {
@@ -25,6 +31,16 @@ namespace Tribody
   {
     // Included files that include further ones: deeper than this is a circle.
     constexpr unsigned int max_include_depth = 16;
+    // Files that include others several times multiply.
+    constexpr unsigned int max_n_files = 1000;
+    // Of all files together, and of a line with its continuations: no case
+    // comes near, a file that is none does.
+    constexpr std::size_t max_n_bytes_of_case = 64 << 20,
+                          max_line_length     = 1 << 20;
+    // In lists of what is valid and of what may be meant.
+    constexpr std::size_t max_n_listed = 20, max_n_nearest = 5;
+    // Longer words are none of ours.
+    constexpr std::size_t max_word_length = 200;
 
 
 
@@ -99,7 +115,13 @@ namespace Tribody
       const std::string nearest = nearest_names(word, candidates);
       if (!nearest.empty())
         return "did you mean " + nearest + "?";
-      return "valid are: " + boost::algorithm::join(candidates, ", ");
+      std::vector<std::string> listed = candidates;
+      if (listed.size() > max_n_listed)
+        {
+          listed.resize(max_n_listed);
+          listed.emplace_back("...");
+        }
+      return "valid are: " + boost::algorithm::join(listed, ", ");
     }
 
 
@@ -118,6 +140,26 @@ namespace Tribody
 
 
 
+    // The file @p name that is named at @p location, "file.prm:12" or "--set".
+    std::string
+    beside(const std::string &location, const std::string &name)
+    {
+      return (std::filesystem::path(location).parent_path() / name).string();
+    }
+
+
+
+    // @p message, in which @p value is repeated in quotes.
+    std::string
+    with_short_value(const std::string &message, const std::string &value)
+    {
+      return boost::algorithm::replace_all_copy(message,
+                                                "'" + value + "'",
+                                                in_quotes(value));
+    }
+
+
+
     // Throw ExcInput unless the assignment's place exists in the tree.
     void
     check_declared(const nlohmann::json            &tree,
@@ -132,8 +174,8 @@ namespace Tribody
         {
           const auto next = level->find(subsection);
           AssertThrow(next != level->end() && next->is_object(),
-                      ExcInput(location + ": there is no subsection '" +
-                               subsection + "' in " + where + "; " +
+                      ExcInput(location + ": there is no subsection " +
+                               in_quotes(subsection) + " in " + where + "; " +
                                suggestion(subsection, keys(*level, true)) +
                                list_hint(subsection, lists)));
           level = &*next;
@@ -142,9 +184,63 @@ namespace Tribody
 
       const auto entry = level->find(name);
       AssertThrow(entry != level->end() && !entry->is_object(),
-                  ExcInput(location + ": there is no parameter '" + name +
-                           "' in " + where + "; " +
+                  ExcInput(location + ": there is no parameter " +
+                           in_quotes(name) + " in " + where + "; " +
                            suggestion(name, keys(*level, false))));
+    }
+
+
+
+    /// @throws ExcInput unless it is a regular file: a device has no end, and
+    /// a pipe perhaps no beginning.
+    void
+    check_regular(const std::string &file_name, const std::string &place)
+    {
+      std::error_code                    error;
+      const std::filesystem::file_status status =
+        std::filesystem::status(file_name, error);
+      AssertThrow(std::filesystem::exists(status),
+                  ExcInput(place + "Cannot read the parameter file " +
+                           in_quotes(file_name) + ": " +
+                           (error ? error.message() : "it does not exist") +
+                           "."));
+      AssertThrow(!std::filesystem::is_directory(status),
+                  ExcInput(place + in_quotes(file_name) +
+                           " is a directory, not a "
+                           "parameter file."));
+      AssertThrow(std::filesystem::is_regular_file(status),
+                  ExcInput(place + in_quotes(file_name) +
+                           " is a device, a pipe or a socket, not a "
+                           "parameter file."));
+    }
+
+
+
+    // At most @p max_n_bytes. Streams do not tell an error from the end.
+    std::string
+    read_text(const std::string &file_name,
+              const std::string &place,
+              const std::size_t  max_n_bytes)
+    {
+      check_regular(file_name, place);
+      const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
+        std::fopen(file_name.c_str(), "rb"), std::fclose);
+      std::string text;
+      char        buffer[1 << 16];
+      std::size_t n = 0;
+      while (file != nullptr && text.size() <= max_n_bytes &&
+             (n = std::fread(buffer, 1, sizeof(buffer), file.get())) > 0)
+        text.append(buffer, n);
+      AssertThrow(file != nullptr && std::ferror(file.get()) == 0,
+                  ExcInput(place + "Cannot read the parameter file " +
+                           in_quotes(file_name) + ": " +
+                           std::generic_category().message(errno) + "."));
+      AssertThrow(text.size() <= max_n_bytes,
+                  ExcInput(place + in_quotes(file_name) +
+                           " is too long for a parameter file: with all that "
+                           "is included there may be " +
+                           std::to_string(max_n_bytes_of_case >> 20) + " MB."));
+      return text;
     }
 
 
@@ -158,7 +254,7 @@ namespace Tribody
     {
       line.clear();
       std::string part;
-      while (std::getline(stream, part))
+      while (line.size() <= max_line_length && std::getline(stream, part))
         {
           ++line_number;
           part = part.substr(0, part.find('#'));
@@ -185,6 +281,8 @@ namespace Tribody
   nearest_names(const std::string              &word,
                 const std::vector<std::string> &candidates)
   {
+    if (word.size() > max_word_length)
+      return "";
     // A third of the letters may be wrong: more is another word.
     const auto   limit = static_cast<unsigned int>(word.size() / 3 + 1);
     unsigned int best  = limit + 1;
@@ -200,6 +298,7 @@ namespace Tribody
         if (distance == best && distance <= limit)
           nearest.push_back("'" + candidate + "'");
       }
+    nearest.resize(std::min(nearest.size(), max_n_nearest));
     return boost::algorithm::join(nearest, " or ");
   }
 
@@ -209,84 +308,106 @@ namespace Tribody
                                const std::vector<std::string> &overrides)
     : file_name(file_name)
   {
-    read(file_name, 0);
+    read(file_name, 0, "");
     for (const std::string &text : overrides)
       add_override(text);
+    for (std::size_t i = 0; i < assignments.size(); ++i)
+      {
+        first_of_subsection.emplace(joined(assignments[i].subsections), i);
+        last_of_path[path_of(assignments[i])] = i;
+      }
   }
 
 
 
   void
-  ParameterFile::read(const std::string &file_name, const unsigned int depth)
+  ParameterFile::read(const std::string &file_name,
+                      const unsigned int depth,
+                      const std::string &place)
   {
     AssertThrow(depth < max_include_depth,
-                ExcInput("'" + file_name + "' is included by itself."));
-    AssertThrow(!std::filesystem::is_directory(file_name),
-                ExcInput("'" + file_name +
-                         "' is a directory, not a "
-                         "parameter file."));
-    std::ifstream stream(file_name);
-    AssertThrow(stream,
-                ExcInput("Cannot read the parameter file '" + file_name +
-                         "'."));
+                ExcInput(in_quotes(file_name) + " is included by itself."));
+    AssertThrow(++n_files <= max_n_files,
+                ExcInput(place + "more than " + std::to_string(max_n_files) +
+                         " files are included, some of them again and again."));
+    const std::string text =
+      read_text(file_name, place, max_n_bytes_of_case - n_bytes);
+    n_bytes += text.size();
+    std::istringstream stream(text);
 
     const std::size_t depth_at_start = open_subsections.size();
     unsigned int      line_number    = 0;
     std::string       line;
     while (read_logical_line(stream, line, line_number))
-      {
-        if (line.empty())
-          continue;
-        const std::string location =
-          file_name + ":" + std::to_string(line_number);
-        const auto        blank = line.find(' ');
-        const std::string keyword =
-          boost::algorithm::to_lower_copy(line.substr(0, blank));
-        const std::string rest =
-          (blank == std::string::npos ? "" : line.substr(blank + 1));
-
-        if (keyword == "set")
-          {
-            const auto equals = rest.find('=');
-            AssertThrow(equals != std::string::npos,
-                        ExcInput(location + ": '" + line +
-                                 "' has no '='; "
-                                 "write 'set name = value'"));
-            assignments.push_back(
-              {open_subsections,
-               boost::algorithm::trim_copy(rest.substr(0, equals)),
-               boost::algorithm::trim_copy(rest.substr(equals + 1)),
-               location});
-          }
-        else if (keyword == "subsection" && !rest.empty())
-          open_subsections.push_back(rest);
-        else if (keyword == "end" && rest.empty())
-          {
-            AssertThrow(open_subsections.size() > depth_at_start,
-                        ExcInput(location + ": 'end' without 'subsection'"));
-            open_subsections.pop_back();
-          }
-        else if (keyword == "include" && !rest.empty())
-          {
-            const std::filesystem::path included =
-              std::filesystem::path(file_name).parent_path() / rest;
-            AssertThrow(std::filesystem::exists(included),
-                        ExcInput(location + ": the included file '" +
-                                 included.string() + "' does not exist"));
-            read(included.string(), depth + 1);
-          }
-        else
-          AssertThrow(false,
-                      ExcInput(location + ": '" + line +
-                               "' is not understood; a line is 'set name = "
-                               "value', 'subsection name', 'end', 'include "
-                               "file' or a comment behind '#'"));
-      }
+      if (!line.empty())
+        {
+          const std::string location =
+            file_name + ":" + std::to_string(line_number);
+          AssertThrow(line.size() <= max_line_length,
+                      ExcInput(location + ": " + in_quotes(line) +
+                               " is a line of more than " +
+                               std::to_string(max_line_length) +
+                               " characters"));
+          read_line(line, location, depth_at_start, depth);
+        }
 
     AssertThrow(open_subsections.size() == depth_at_start,
                 ExcInput(file_name + ":" + std::to_string(line_number) +
-                         ": the file ends inside subsection '" +
-                         open_subsections.back() + "'; an 'end' is missing"));
+                         ": the file ends inside subsection " +
+                         in_quotes(open_subsections.back()) +
+                         "; an 'end' is missing"));
+  }
+
+
+
+  void
+  ParameterFile::read_line(const std::string &line,
+                           const std::string &location,
+                           const std::size_t  depth_at_start,
+                           const unsigned int depth)
+  {
+    const auto        blank = line.find(' ');
+    const std::string keyword =
+      boost::algorithm::to_lower_copy(line.substr(0, blank));
+    const std::string rest =
+      (blank == std::string::npos ? "" : line.substr(blank + 1));
+
+    if (keyword == "set")
+      {
+        const auto equals = rest.find('=');
+        AssertThrow(equals != std::string::npos,
+                    ExcInput(location + ": " + in_quotes(line) +
+                             " has no '='; "
+                             "write 'set name = value'"));
+        assignments.push_back(
+          {open_subsections,
+           boost::algorithm::trim_copy(rest.substr(0, equals)),
+           boost::algorithm::trim_copy(rest.substr(equals + 1)),
+           location});
+      }
+    else if (keyword == "subsection" && !rest.empty())
+      open_subsections.push_back(rest);
+    else if (keyword == "end" && rest.empty())
+      {
+        AssertThrow(open_subsections.size() > depth_at_start,
+                    ExcInput(location + ": 'end' without 'subsection'"));
+        open_subsections.pop_back();
+      }
+    else if (keyword == "include" && !rest.empty())
+      {
+        const std::string included = beside(location, rest);
+        std::error_code   error;
+        AssertThrow(std::filesystem::exists(included, error) || error,
+                    ExcInput(location + ": the included file " +
+                             in_quotes(included) + " does not exist"));
+        read(included, depth + 1, location + ": ");
+      }
+    else
+      AssertThrow(false,
+                  ExcInput(location + ": " + in_quotes(line) +
+                           " is not understood; a line is 'set name = "
+                           "value', 'subsection name', 'end', 'include "
+                           "file' or a comment behind '#'"));
   }
 
 
@@ -294,10 +415,20 @@ namespace Tribody
   void
   ParameterFile::add_override(const std::string &text)
   {
+    // It must be a line of parameters.prm, in which others find it again.
+    const bool is_a_line =
+      text.find('#') == std::string::npos &&
+      std::none_of(text.begin(), text.end(), [](const char c) {
+        return std::iscntrl(static_cast<unsigned char>(c)) != 0;
+      });
+    AssertThrow(is_a_line && (text.empty() || text.back() != '\\'),
+                ExcInput("--set " + in_quotes(text) +
+                         ": a value is one line without control characters, "
+                         "'#' and a backslash at its end"));
     const auto equals = text.find('=');
     AssertThrow(equals != std::string::npos,
-                ExcInput("--set '" + text +
-                         "': write --set \"Subsection/"
+                ExcInput("--set " + in_quotes(text) +
+                         ": write --set \"Subsection/"
                          "name=value\""));
 
     std::vector<std::string> path = split_path(text.substr(0, equals));
@@ -334,13 +465,28 @@ namespace Tribody
           {
             std::vector<std::string> path = assignment.subsections;
             path.push_back(assignment.name);
-            throw ExcInput(assignment.location + ": " +
-                           boost::algorithm::join(path, "/") + ": " +
+            throw ExcInput(assignment.location + ": " + joined(path) + ": " +
                            message_of(exception));
           }
         for (std::size_t i = 0; i < assignment.subsections.size(); ++i)
           prm.leave_subsection();
       }
+  }
+
+
+
+  std::string
+  ParameterFile::joined(const std::vector<std::string> &subsections)
+  {
+    return boost::algorithm::join(subsections, "/");
+  }
+
+
+
+  std::string
+  ParameterFile::path_of(const Assignment &assignment)
+  {
+    return joined(assignment.subsections) + "/" + assignment.name;
   }
 
 
@@ -351,15 +497,8 @@ namespace Tribody
     std::vector<std::string> subsections = split_path(path);
     const std::string        name        = subsections.back();
     subsections.pop_back();
-
-    const auto last =
-      std::find_if(assignments.rbegin(),
-                   assignments.rend(),
-                   [&](const Assignment &assignment) {
-                     return assignment.name == name &&
-                            assignment.subsections == subsections;
-                   });
-    return last == assignments.rend() ? nullptr : &*last;
+    const auto last = last_of_path.find(joined(subsections) + "/" + name);
+    return last == last_of_path.end() ? nullptr : &assignments[last->second];
   }
 
 
@@ -379,11 +518,17 @@ namespace Tribody
   {
     if (const Assignment *assignment = find(path))
       return assignment->location;
+    const auto first = first_of_subsection.find(joined(split_path(path)));
+    return first == first_of_subsection.end()
+             ? file_name + " (default value)"
+             : assignments[first->second].location;
+  }
 
-    const std::vector<std::string> subsections = split_path(path);
-    for (const Assignment &assignment : assignments)
-      if (assignment.subsections == subsections)
-        return assignment.location;
-    return file_name + " (default value)";
+
+
+  std::string
+  ParameterFile::file_named_by(const std::string &path) const
+  {
+    return beside(location(path), value(path, ""));
   }
 } // namespace Tribody

@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 
@@ -18,6 +19,11 @@ namespace Tribody
 {
   namespace
   {
+    // Files and directories are named after names, and columns of tables.
+    constexpr std::size_t max_name_length = 100;
+
+
+
     std::string
     point_to_string(const dealii::Point<2> &point,
                     const std::string      &si_unit,
@@ -34,8 +40,8 @@ namespace Tribody
     {
       const std::vector<double> values = Units::list_from_string(text, si_unit);
       AssertThrow(values.size() == 2,
-                  ExcInput("'" + text +
-                           "' must be two quantities separated "
+                  ExcInput(in_quotes(text) +
+                           " must be two quantities separated "
                            "by a comma, for example '0 " +
                            si_unit + ", 1 " + si_unit + "'"));
       return {values[0], values[1]};
@@ -47,14 +53,16 @@ namespace Tribody
     check_name(const std::string &name)
     {
       const bool valid =
-        !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        !name.empty() && name.size() <= max_name_length &&
+        std::all_of(name.begin(), name.end(), [](char c) {
           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
                  c == '-' || c == '+';
         });
       AssertThrow(valid,
-                  ExcInput("'" + name +
-                           "' is not a name; use letters, "
-                           "digits, '_', '-' and '+'"));
+                  ExcInput(in_quotes(name) +
+                           " is not a name; use letters, "
+                           "digits, '_', '-' and '+', at most " +
+                           std::to_string(max_name_length) + " of them"));
     }
   } // namespace
 
@@ -131,8 +139,8 @@ namespace Tribody
             continue;
           const auto colon = item.find(':');
           AssertThrow(colon != std::string::npos,
-                      ExcInput("'" + boost::algorithm::trim_copy(item) +
-                               "' must be a name, a colon and a position, "
+                      ExcInput(in_quotes(boost::algorithm::trim_copy(item)) +
+                               " must be a name, a colon and a position, "
                                "for example 'A: 0 " +
                                si_unit + ", 1 " + si_unit + "'"));
           const std::string point_name =
@@ -144,7 +152,8 @@ namespace Tribody
                        point_from_string(item.substr(colon + 1), si_unit))
               .second;
           AssertThrow(is_new,
-                      ExcInput("the name '" + point_name + "' is given twice"));
+                      ExcInput("the name " + in_quotes(point_name) +
+                               " is given twice"));
         }
       value = points;
     });
@@ -212,9 +221,9 @@ namespace Tribody
                       dealii::Patterns::Anything(),
                       documentation);
     prm.add_action(name, [&value, minimum, maximum](const std::string &text) {
-      const std::string problem = "'" + text + "' is not a whole number from " +
-                                  std::to_string(minimum) + " to " +
-                                  std::to_string(maximum);
+      const std::string problem =
+        in_quotes(text) + " is not a whole number from " +
+        std::to_string(minimum) + " to " + std::to_string(maximum);
       AssertThrow(!text.empty() && text.size() < 18 &&
                     std::all_of(text.begin(),
                                 text.end(),
@@ -244,7 +253,8 @@ namespace Tribody
           continue;
         check_name(part);
         AssertThrow(std::find(names.begin(), names.end(), part) == names.end(),
-                    ExcInput("the name '" + part + "' is given twice"));
+                    ExcInput("the name " + in_quotes(part) +
+                             " is given twice"));
         names.push_back(part);
       }
     return names;

@@ -5,6 +5,9 @@
 #include <boost/serialization/utility.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/foreign_exceptions.h>
+#include <tribody/base/in_quotes.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 
 #include <algorithm>
@@ -54,14 +57,18 @@ namespace Tribody
           }
         catch (const std::exception &exception)
           {
-            return exception.what();
+            return describe_foreign(exception);
           }
       }
 
 
 
-      bool
-      is_about_input(const std::exception_ptr &failure)
+      // What ranks tell each other of a failure.
+      constexpr int about_run = 0, about_input = -1;
+
+      /// One of these, or the signal that has interrupted the work.
+      int
+      kind_of(const std::exception_ptr &failure)
       {
         try
           {
@@ -69,12 +76,29 @@ namespace Tribody
           }
         catch (const ExcInput &)
           {
-            return true;
+            return about_input;
+          }
+        catch (const ExcInterrupted &interruption)
+          {
+            return interruption.signal;
           }
         catch (...)
           {
-            return false;
+            return about_run;
           }
+      }
+
+
+
+      /// What to write to the screen: a text that nobody foresaw may be long or
+      /// command the terminal.
+      std::string
+      to_show(const std::string &message)
+      {
+        constexpr std::size_t max_length = 1000;
+        return printable(message.size() <= max_length
+                           ? message
+                           : message.substr(0, max_length) + " ...");
       }
 
 
@@ -140,16 +164,18 @@ namespace Tribody
       if (first_failed == n)
         return;
 
-      std::pair<bool, std::string> own;
+      std::pair<int, std::string> own;
       if (first_failed == this_rank(communicator))
-        own = {is_about_input(failure), describe(failure)};
-      const auto [about_input, message] =
+        own = {kind_of(failure), describe(failure)};
+      const auto [kind, message] =
         dealii::Utilities::MPI::broadcast(communicator, own, first_failed);
       if (failure)
         std::rethrow_exception(failure);
-      if (about_input)
+      if (kind == about_input)
         throw ExcInput(message);
-      throw ExcRun(message);
+      if (kind == about_run)
+        throw ExcRun(message);
+      throw ExcInterrupted(kind);
     }
 
 
@@ -216,7 +242,7 @@ namespace Tribody
     {
       const unsigned int rank = this_rank(communicator);
       if (rank == 0)
-        std::cerr << message << std::endl;
+        std::cerr << to_show(message) << std::endl;
       if (n_ranks(communicator) == 1)
         return status;
 
@@ -236,7 +262,8 @@ namespace Tribody
       if (all_failed == 0)
         {
           if (rank != 0)
-            std::cerr << "Rank " << rank << " alone: " << message << std::endl;
+            std::cerr << "Rank " << rank << " alone: " << to_show(message)
+                      << std::endl;
           MPI_Abort(communicator, status);
         }
       return status;

@@ -4,23 +4,32 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/table_writer.h>
+#include <tribody/base/whole_file.h>
 
+#include <cerrno>
 #include <limits>
 
 namespace Tribody
 {
   TableWriter::TableWriter(const std::string              &file_name,
                            const std::vector<std::string> &comments,
-                           const std::vector<std::string> &columns)
+                           const std::vector<std::string> &columns,
+                           const TableKind                 kind)
     : file_name(file_name)
     , n_columns(columns.size())
-    , file(file_name)
+    , kind(kind)
   {
-    file.precision(std::numeric_limits<double>::max_digits10);
+    if (kind == TableKind::growing)
+      {
+        errno = 0;
+        file.open(file_name);
+        AssertThrow(file, ExcRun(describe_write_error(file_name, errno)));
+      }
+    text.precision(std::numeric_limits<double>::max_digits10);
     for (const std::string &comment : comments)
-      file << "# " << comment << '\n';
-    file << boost::algorithm::join(columns, ",") << std::endl;
-    AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      text << "# " << comment << '\n';
+    text << boost::algorithm::join(columns, ",") << '\n';
+    pass_on();
   }
 
 
@@ -32,8 +41,31 @@ namespace Tribody
            dealii::ExcDimensionMismatch(values.size(), n_columns));
 
     for (std::size_t i = 0; i < values.size(); ++i)
-      file << (i > 0 ? "," : "") << values[i];
-    file << std::endl;
-    AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      text << (i > 0 ? "," : "") << values[i];
+    text << '\n';
+    pass_on();
+  }
+
+
+
+  void
+  TableWriter::finish() const
+  {
+    if (kind == TableKind::whole)
+      write_whole_file(file_name,
+                       [this](std::ostream &out) { out << text.str(); });
+  }
+
+
+
+  void
+  TableWriter::pass_on()
+  {
+    if (kind == TableKind::whole)
+      return;
+    errno = 0;
+    file << text.str() << std::flush;
+    text.str("");
+    AssertThrow(file, ExcRun(describe_write_error(file_name, errno)));
   }
 } // namespace Tribody

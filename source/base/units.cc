@@ -5,11 +5,14 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/units.h>
 
+#include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <udunits2.h>
@@ -20,6 +23,11 @@ namespace Tribody
   {
     using Unit       = std::unique_ptr<ut_unit, void (*)(ut_unit *)>;
     using UnitSystem = std::unique_ptr<ut_system, void (*)(ut_system *)>;
+
+    // The grammar of UDUNITS nests without a limit of its own.
+    constexpr std::size_t max_unit_length = 200;
+
+
 
     UnitSystem
     read_unit_system()
@@ -51,23 +59,171 @@ namespace Tribody
       return Unit(ut_parse(unit_system(), text.c_str(), UT_ASCII), ut_free);
     }
 
-    // Radians are dimensionless for UDUNITS, so "30 Hz" would pass for
-    // "30 rad/s", wrong by 2 pi. Whether the definition of a unit contains the
-    // radian tells them apart.
-    bool
-    counts_angle(const ut_unit *unit)
+    /// What a unit measures.
+    struct Dimension
     {
-      char      buffer[256];
-      const int length =
-        ut_format(unit, buffer, sizeof(buffer), UT_ASCII | UT_DEFINITION);
-      return length > 0 &&
-             std::string(buffer, length).find("rad") != std::string::npos;
+      // Of the basic units. Radians, which UDUNITS takes for the number 1, are
+      // one of them: "30 Hz" is not "30 rad/s", wrong by 2 pi.
+      std::map<std::string, int> powers;
+      // From a zero of its own, as degrees Celsius.
+      bool is_shifted = false;
+      // Logarithms and dates are no multiples of a unit.
+      bool is_multiple = true;
+    };
+
+
+
+    void
+    add_power(Dimension &dimension, const ut_unit *basic, const int power)
+    {
+      const char *symbol = ut_get_symbol(basic, UT_ASCII);
+      if (symbol == nullptr)
+        symbol = ut_get_name(basic, UT_ASCII);
+      Assert(symbol != nullptr, dealii::ExcMessage("nameless basic unit"));
+      dimension.powers[symbol] += power;
     }
+
+
+
+    // ut_are_convertible() takes a unit for its reciprocal too, "0.139 GPa^-1"
+    // for 7.2 GPa; the powers of the basic units do not.
+    const ut_visitor &
+    dimension_visitor()
+    {
+      static const ut_visitor visitor = {
+        [](const ut_unit *unit, void *dimension) {
+          add_power(*static_cast<Dimension *>(dimension), unit, 1);
+          return UT_SUCCESS;
+        },
+        [](const ut_unit *,
+           int                   count,
+           const ut_unit *const *basic_units,
+           const int            *powers,
+           void                 *dimension) {
+          for (int i = 0; i < count; ++i)
+            add_power(*static_cast<Dimension *>(dimension),
+                      basic_units[i],
+                      powers[i]);
+          return UT_SUCCESS;
+        },
+        [](const ut_unit *,
+           double,
+           const ut_unit *underlying,
+           double         offset,
+           void          *dimension) {
+          if (offset != 0.)
+            static_cast<Dimension *>(dimension)->is_shifted = true;
+          return ut_accept_visitor(underlying, &dimension_visitor(), dimension);
+        },
+        [](const ut_unit *, const ut_unit *, double, void *dimension) {
+          static_cast<Dimension *>(dimension)->is_multiple = false;
+          return UT_SUCCESS;
+        },
+        [](const ut_unit *, double, const ut_unit *, void *dimension) {
+          static_cast<Dimension *>(dimension)->is_multiple = false;
+          return UT_SUCCESS;
+        }};
+      return visitor;
+    }
+
+
+
+    Dimension
+    dimension_of(const ut_unit *unit)
+    {
+      Dimension dimension;
+      ut_accept_visitor(unit, &dimension_visitor(), &dimension);
+      return dimension;
+    }
+
+
+
+    // Digits of a unit are exponents, behind a letter, a bracket or '^', with a
+    // sign perhaps. UDUNITS would multiply with others: "9 .525 mm" is not
+    // 4.7 mm; and "1'000 g" not 1 g times the 0th power of an arcminute.
+    bool
+    has_number(const std::string &unit)
+    {
+      const auto is_digit = [](const char c) { return c >= '0' && c <= '9'; };
+      for (std::size_t i = 0; i < unit.size(); ++i)
+        {
+          if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1])))
+            continue;
+          std::size_t before = i;
+          if (before > 0 &&
+              (unit[before - 1] == '-' || unit[before - 1] == '+'))
+            --before;
+          if (before == 0)
+            return true;
+          const char c = unit[before - 1];
+          if (std::isalpha(static_cast<unsigned char>(c)) == 0 && c != '^' &&
+              c != ')' && !(before > 1 && unit.substr(before - 2, 2) == "**"))
+            return true;
+        }
+      return !unit.empty() &&
+             std::string(".,+-").find(unit[0]) != std::string::npos;
+    }
+
+
+
+    // A text that begins with a number: the number, and what is left.
+    struct NumberAndRest
+    {
+      double      value;
+      std::string number, rest;
+    };
+
+
+
+    // Larger and smaller numbers are slips, and their products overflow.
+    bool
+    is_of_usual_size(const double value)
+    {
+      return value == 0. ||
+             (std::abs(value) < 1e100 && std::abs(value) > 1e-100);
+    }
+
+
+
+    NumberAndRest
+    split(const std::string &text, const std::string &example_of_one)
+    {
+      // from_chars() knows no language, no hexadecimal digits and no plus.
+      const std::size_t begin =
+        text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0;
+      double     value = 0.;
+      const auto result =
+        std::from_chars(text.data() + begin, text.data() + text.size(), value);
+      AssertThrow(result.ec != std::errc::invalid_argument &&
+                    (result.ec == std::errc::result_out_of_range ||
+                     std::isfinite(value)),
+                  ExcInput(in_quotes(text) +
+                           " does not start with a finite "
+                           "number; write for example " +
+                           example_of_one));
+      const std::string number = text.substr(0, result.ptr - text.data());
+      // Not every library says that a number has become zero.
+      const bool is_nothing =
+        value == 0. && number.substr(0, number.find_first_of("eE"))
+                           .find_first_of("123456789") != std::string::npos;
+      AssertThrow(result.ec != std::errc::result_out_of_range && !is_nothing &&
+                    is_of_usual_size(value),
+                  ExcInput(in_quotes(text) +
+                           " starts with a number that is too large or too "
+                           "small; numbers may be from 1e-100 to 1e100, or 0"));
+      return {value,
+              number,
+              boost::algorithm::trim_copy(text.substr(number.size()))};
+    }
+
+
 
     std::string
     example(const std::string &number, const std::string &si_unit)
     {
-      return "'" + number + (si_unit.empty() ? "" : " " + si_unit) + "'";
+      constexpr std::size_t max_length = 20;
+      return "'" + (number.size() <= max_length ? number : "1") +
+             (si_unit.empty() ? "" : " " + si_unit) + "'";
     }
 
     // Convert with UDUNITS' own converter, which knows offsets and scales.
@@ -80,6 +236,43 @@ namespace Tribody
         cv_free);
       return cv_convert_double(converter.get(), value);
     }
+
+
+
+    // The unit that @p text names. @throws ExcInput unless it measures what
+    // @p target does.
+    Unit
+    unit_like(const std::string &text,
+              const ut_unit     *target,
+              const std::string &usual)
+    {
+      Unit unit = text.size() > max_unit_length ? Unit(nullptr, ut_free)
+                                                : parse_unit(text);
+      AssertThrow(unit != nullptr,
+                  ExcInput(in_quotes(text) +
+                           " is not a unit that UDUNITS-2 "
+                           "knows; write for example " +
+                           usual));
+      const Dimension dimension = dimension_of(unit.get());
+      const Dimension wanted    = dimension_of(target);
+      AssertThrow(dimension.is_multiple,
+                  ExcInput(in_quotes(text) +
+                           " is a logarithm or a date, not a multiple of a "
+                           "unit; write for example " +
+                           usual));
+      AssertThrow(dimension.powers == wanted.powers,
+                  ExcInput(in_quotes(text) +
+                           " has the wrong dimension; a unit "
+                           "such as in " +
+                           usual + " is needed"));
+      const std::map<std::string, int> temperature = {{"K", 1}};
+      AssertThrow(!dimension.is_shifted || wanted.powers == temperature,
+                  ExcInput(in_quotes(text) +
+                           " has a zero of its own; a unit "
+                           "such as in " +
+                           usual + " is needed"));
+      return unit;
+    }
   } // namespace
 
 
@@ -91,59 +284,42 @@ namespace Tribody
   {
     const std::string shown_unit = usual_unit.empty() ? si_unit : usual_unit;
     const std::string trimmed    = boost::algorithm::trim_copy(text);
+    const auto [value, number, unit_text] =
+      split(trimmed, example("1", shown_unit));
 
-    char        *rest  = nullptr;
-    const double value = std::strtod(trimmed.c_str(), &rest);
-    AssertThrow(rest != trimmed.c_str() && std::isfinite(value),
-                ExcInput("'" + trimmed +
-                         "' does not start with a finite "
-                         "number; write for example " +
-                         example("1", shown_unit)));
-
-    const std::string number(trimmed.c_str(), static_cast<const char *>(rest));
-    const std::string unit_text =
-      boost::algorithm::trim_copy(std::string(rest));
-
-    // UDUNITS would multiply: "9 .525 mm" is not 4.7 mm.
-    AssertThrow(unit_text.empty() ||
-                  std::string("0123456789.,+-").find(unit_text[0]) ==
-                    std::string::npos,
-                ExcInput("'" + trimmed +
-                         "' has more than one number before its unit (a blank "
-                         "inside the number, or a decimal comma?); write for "
-                         "example " +
+    AssertThrow(!has_number(unit_text),
+                ExcInput(in_quotes(trimmed) +
+                         " has more than one number before its unit (a blank "
+                         "inside the number, or a decimal comma, or a mark "
+                         "between thousands?); write for example " +
                          example("1.5", shown_unit)));
 
     if (si_unit.empty())
       {
         AssertThrow(unit_text.empty(),
-                    ExcInput("'" + trimmed +
-                             "' must be a number without a "
+                    ExcInput(in_quotes(trimmed) +
+                             " must be a number without a "
                              "unit, for example " +
                              example(number, "")));
         return value;
       }
 
     AssertThrow(!unit_text.empty(),
-                ExcInput("'" + trimmed + "' has no unit; write for example " +
+                ExcInput(in_quotes(trimmed) +
+                         " has no unit; write for example " +
                          example(number, shown_unit)));
-
-    const Unit unit = parse_unit(unit_text);
-    AssertThrow(unit != nullptr,
-                ExcInput("'" + unit_text +
-                         "' is not a unit that UDUNITS-2 "
-                         "knows; write for example " +
-                         example(number, shown_unit)));
-
     const Unit target = parse_unit(si_unit);
     Assert(target != nullptr, dealii::ExcMessage("bad unit: " + si_unit));
-    AssertThrow(ut_are_convertible(unit.get(), target.get()) != 0 &&
-                  counts_angle(unit.get()) == counts_angle(target.get()),
-                ExcInput("'" + unit_text +
-                         "' has the wrong dimension; a unit "
-                         "such as in " +
-                         example(number, shown_unit) + " is needed"));
-    return convert(value, unit.get(), target.get());
+    const Unit unit =
+      unit_like(unit_text, target.get(), example(number, shown_unit));
+
+    const double result = convert(value, unit.get(), target.get());
+    AssertThrow(std::isfinite(result) && is_of_usual_size(result) &&
+                  (result != 0. || value == 0.),
+                ExcInput(in_quotes(trimmed) +
+                         " is too large or too small; in " + si_unit +
+                         " it may be from 1e-100 to 1e100, or 0"));
+    return result;
   }
 
 

@@ -128,9 +128,18 @@ namespace Tribody
                                  "Wear coefficient",
                                  p.wear_coefficient,
                                  "Pa^-1",
-                                 "Archard's k of the bushing: worn volume per "
-                                 "normal force and sliding distance, not "
-                                 "negative.",
+                                 "Archard's k of the bushing, not negative: "
+                                 "local wear depth per contact pressure and "
+                                 "sliding distance, dh = k p ds at each place "
+                                 "of the bore. The worn volume is k F s where "
+                                 "the contact is narrow, and more where it is "
+                                 "wide, since pressures that point to both "
+                                 "sides do not add up to the force F: up to "
+                                 "4/pi = 1.27 times for a worn-in contact over "
+                                 "half the bore. The results show both. A "
+                                 "coefficient that was measured as volume of a "
+                                 "worn-in bushing over F s is that much larger "
+                                 "than k; one from a flat specimen is k.",
                                  "mm^3/(N m)");
         Parameters::add_quantity(prm,
                                  "Pin wear coefficient",

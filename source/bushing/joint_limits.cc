@@ -52,6 +52,14 @@ namespace Tribody
 
 
       double
+      lost_wall(const WearingBushing &bushing, const Eigen::VectorXd &depth)
+      {
+        return bushing.lost_wall(depth);
+      }
+
+
+
+      double
       nothing(const Multibody::JointParameters &)
       {
         return 0.;
@@ -68,7 +76,8 @@ namespace Tribody
          "m",
          "mm",
          "The run ends when the wear of bushing or pin is this deep somewhere; "
-         "0: never.",
+         "0: never. Without any limit it ends, as stopped, when a bushing is "
+         "worn through: when 99.9 % of its wall are gone somewhere.",
          max_depth,
          nothing},
         {"clearance",
@@ -95,6 +104,16 @@ namespace Tribody
          lost_mass,
          nothing}};
       return limits;
+    }
+
+
+
+    const JointLimit &
+    worn_through()
+    {
+      static const JointLimit limit = {
+        "worn part of the wall", "", "%", "", lost_wall, nothing};
+      return limit;
     }
 
 

@@ -59,9 +59,8 @@ namespace Tribody
              (strains.largest() <= Strains::doubtful
                 ? "near the limits of linear elasticity and small displacements"
                 : "linear elasticity and small displacements, which pressures "
-                  "rest on, do not hold; take forces and depths as estimates, "
-                  "or "
-                  "a stiffer or longer bushing");
+                  "rest on, do not hold, and these may be wrong by as much; "
+                  "take a stiffer or longer bushing");
     }
 
 

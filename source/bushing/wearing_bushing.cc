@@ -459,6 +459,32 @@ namespace Tribody
 
 
 
+    double
+    WearingBushing::lost_wall(const Eigen::VectorXd &depth) const
+    {
+      return surfaces()
+        .front()
+        .part_of(depth)
+        .cwiseQuotient(elastic.walls())
+        .maxCoeff();
+    }
+
+
+
+    double
+    WearingBushing::cycles_to_wear_through(const CycleContact &contact) const
+    {
+      const Eigen::ArrayXd rate = surfaces().front().part_of(contact.wear_rate);
+      const Eigen::ArrayXd left = elastic.walls() - wear_profile.depth;
+      double               n    = std::numeric_limits<double>::infinity();
+      for (Eigen::Index i = 0; i < rate.size(); ++i)
+        if (rate[i] > 0.)
+          n = std::min(n, left[i] / rate[i]);
+      return n;
+    }
+
+
+
     std::vector<double>
     WearingBushing::volumes_for_depth(const Eigen::VectorXd &depth) const
     {

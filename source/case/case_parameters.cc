@@ -2,20 +2,26 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/join.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/parameter_file.h>
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
+#include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/case/repetition.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/system/mechanism.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <sstream>
+#include <system_error>
 
 namespace Tribody
 {
@@ -327,6 +333,33 @@ namespace Tribody
 
 
 
+      // With the files that it names found from anywhere, so that it can be run
+      // again where the results are.
+      std::string
+      print_to_run_again(const ParameterFile      &file,
+                         const CaseParameters     &parameters,
+                         dealii::ParameterHandler &prm)
+      {
+        for (const BushingParameters &bushing : parameters.bushings)
+          if (bushing.mesh_file.is_given())
+            {
+              const std::string subsection = "Bushing " + bushing.name;
+              std::error_code   error;
+              const std::filesystem::path absolute = std::filesystem::absolute(
+                file.file_named_by(subsection + "/Mesh/File"), error);
+              if (error)
+                continue;
+              prm.enter_subsection(subsection);
+              prm.enter_subsection("Mesh");
+              prm.set("File", absolute.lexically_normal().string());
+              prm.leave_subsection();
+              prm.leave_subsection();
+            }
+        return print(prm);
+      }
+
+
+
       // Mesh files are named relative to the parameter file that names them,
       // or to the current directory on the command line.
       void
@@ -335,11 +368,37 @@ namespace Tribody
         for (BushingParameters &bushing : parameters.bushings)
           if (bushing.mesh_file.is_given())
             bushing.mesh_file.name =
-              (std::filesystem::path(
-                 file.location("Bushing " + bushing.name + "/Mesh/File"))
-                 .parent_path() /
-               bushing.mesh_file.name)
-                .string();
+              file.file_named_by("Bushing " + bushing.name + "/Mesh/File");
+      }
+
+
+
+      // Files and directories of results have these names, and some file
+      // systems do not tell small letters from capitals.
+      template <typename Entry>
+      void
+      check_file_names(const std::string              &list,
+                       const std::vector<Entry>       &entries,
+                       const std::vector<std::string> &taken = {})
+      {
+        std::map<std::string, std::string> names;
+        for (const std::string &name : taken)
+          names.emplace(name,
+                        "the directory " + in_quotes(name) + " of the results");
+        for (const Entry &entry : entries)
+          {
+            const auto [other, is_new] =
+              names.emplace(boost::algorithm::to_lower_copy(entry.name),
+                            in_quotes(entry.name));
+            AssertThrow(is_new,
+                        ExcParameter(list,
+                                     "the results of " + in_quotes(entry.name) +
+                                       " would be written over those of " +
+                                       other->second +
+                                       " (small letters and capitals are "
+                                       "alike to some file systems); choose "
+                                       "another name"));
+          }
       }
 
 
@@ -429,6 +488,46 @@ namespace Tribody
 
 
 
+      // Of the duty cycle: coordinates of bodies with two derivatives, and what
+      // joints have, each kept two or three times.
+      double
+      estimate_memory_of_samples(const CaseParameters &parameters)
+      {
+        const double of_body  = 3. * 9. * sizeof(double),
+                     of_joint = 3. * 20. * sizeof(double);
+        return parameters.dynamics.samples_per_cycle *
+               (of_body * parameters.mechanism.bodies.size() +
+                of_joint * parameters.mechanism.joints.size());
+      }
+
+
+
+      /// @throws ExcParameter if this machine cannot hold the case.
+      void
+      check_memory_of_case(const CaseParameters &parameters)
+      {
+        double others = estimate_memory_of_samples(parameters);
+        AssertThrow(others <= available_memory(),
+                    ExcParameter("Dynamics/Samples per cycle",
+                                 std::to_string(
+                                   parameters.dynamics.samples_per_cycle) +
+                                   " samples of all bodies and joints need "
+                                   "about " +
+                                   describe_memory(others) +
+                                   " of memory; this machine or a limit of the "
+                                   "system allows " +
+                                   describe_memory(available_memory())));
+        if (parameters.cycles > 0)
+          for (const BushingParameters &bushing : parameters.bushings)
+            {
+              const auto &joint = parameters.joint(bushing.name);
+              check_memory(bushing, joint, others);
+              others += estimate_memory(bushing, joint);
+            }
+      }
+
+
+
       // Steps that are a small enough part of the run are lost in its rounding.
       void
       check_cycles_per_step(const CaseParameters &parameters)
@@ -464,13 +563,18 @@ namespace Tribody
                                    " cycles of wear need at least one entry "
                                    "in 'Bushings'; 0 cycles need none"));
 
+        check_memory_of_case(parameters);
+
         // Markers and bodies that joints, springs and drivers refer to, and
         // whether the mechanism can be assembled.
-        const Multibody::Mechanism mechanism(parameters.mechanism);
+        const Multibody::Mechanism mechanism(
+          Multibody::count_redundant_constraints(parameters.mechanism));
         if (parameters.cycles > 0)
           check_repetition(mechanism, parameters.dynamics);
         const Multibody::CycleSimulation simulation(mechanism,
                                                     parameters.dynamics);
+        if (parameters.cycles > 0)
+          simulation.check_repetition();
       }
     } // namespace
 
@@ -489,6 +593,18 @@ namespace Tribody
 
 
 
+    double
+    estimate_memory(const CaseParameters &parameters)
+    {
+      double bytes = estimate_memory_of_samples(parameters);
+      if (parameters.cycles > 0)
+        for (const BushingParameters &bushing : parameters.bushings)
+          bytes += estimate_memory(bushing, parameters.joint(bushing.name));
+      return bytes;
+    }
+
+
+
     CaseParameters
     read_case(const std::string              &file_name,
               const std::vector<std::string> &overrides)
@@ -500,7 +616,7 @@ namespace Tribody
         dealii::ParameterHandler prm;
         declare(prm, parameters, lists);
         file.apply(prm, lists_of_kinds(lists));
-        parameters.text = print(prm);
+        parameters.text = print_to_run_again(file, parameters, prm);
       }
 
       if (parameters.output_directory.empty())
@@ -510,6 +626,11 @@ namespace Tribody
 
       try
         {
+          check_file_names("Bodies", parameters.mechanism.bodies);
+          check_file_names("Drivers", parameters.mechanism.drivers);
+          check_file_names("Joints",
+                           parameters.mechanism.joints,
+                           {"bodies", "drivers", "mechanism"});
           check_bushing_joints(parameters);
           apply_scheme(parameters);
           check_required(file, parameters);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
@@ -10,159 +9,144 @@
 #include <tribody/base/parameters.h>
 #include <tribody/base/units.h>
 #include <tribody/elasticity/mesh_file.h>
+#include <tribody/gmsh/gmsh_reader.h>
+#include <tribody/gmsh/plane_mesh.h>
 #include <tribody/surface/boundary_ids.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
+#include <utility>
 #include <vector>
 
 namespace Tribody
 {
   namespace Elasticity
   {
+    using Gmsh::in_millimetres;
+    using Gmsh::PlaneBoundary;
+    using Gmsh::PlaneMesh;
+
     namespace
     {
-      using dealii::types::boundary_id;
-
       /// By how much of the radius a vertex of the bore may be off.
       constexpr double roundness = 1e-4;
 
-      /// With six digits: what the file's own digits leave is not of interest.
-      std::string
-      millimetres(const double x)
-      {
-        std::ostringstream out;
-        out << 1e3 * x << " mm";
-        return out.str();
-      }
+      using Curve = std::vector<std::size_t>;
 
-
-
-      std::string
-      millimetres(const dealii::Point<2> &x)
-      {
-        std::ostringstream out;
-        out << '(' << 1e3 * x[0] << ", " << 1e3 * x[1] << ") mm";
-        return out.str();
-      }
-
-
-
+      /// @throws ExcParameter if no edge of @p boundary has @p id.
       void
-      read_file(const MeshFile           &file,
-                const std::string        &path,
-                dealii::Triangulation<2> &triangulation)
+      check_id(const long           id,
+               const PlaneBoundary &boundary,
+               const std::string   &name,
+               const std::string   &where)
       {
-        const std::string where = path + "/File";
-        std::ifstream     stream(file.name);
-        AssertThrow(
-          stream,
-          ExcParameter(where, "the file '" + file.name + "' cannot be opened"));
-        try
-          {
-            dealii::GridIn<2> grid_in(triangulation);
-            grid_in.read_msh(stream);
-          }
-        catch (const dealii::ExceptionBase &exception)
-          {
-            throw ExcParameter(where,
-                               "'" + file.name +
-                                 "' is not a mesh of Gmsh's that deal.II can "
-                                 "read (format 2 or 4, linear cells): " +
-                                 message_of(exception));
-          }
-        AssertThrow(triangulation.all_reference_cells_are_hyper_cube(),
+        // A message is no place for more.
+        constexpr std::size_t largest_list = 10;
+
+        const std::set<long> present(boundary.ids.begin(), boundary.ids.end());
+        std::string          list;
+        std::size_t          n = 0;
+        for (const long other : present)
+          if (++n <= largest_list)
+            list += (list.empty() ? "" : ", ") + std::to_string(other);
+        AssertThrow(present.count(id) == 1,
                     ExcParameter(where,
-                                 "'" + file.name +
-                                   "' has cells that are not quadrilaterals; "
-                                   "let Gmsh recombine its triangles "
-                                   "('Recombine Surface')"));
+                                 "no boundary in '" + name + "' has the id " +
+                                   std::to_string(id) + "; there are: " + list +
+                                   (n > largest_list ? ", ..." : "")));
       }
 
 
 
-      // Whatever the ids in the file, BoundaryIds in the mesh.
+      // What belongs to bore and rim must be boundary, and not both.
       void
-      set_boundary_ids(const MeshFile           &file,
-                       const std::string        &path,
-                       dealii::Triangulation<2> &triangulation)
+      check_lines(const MeshFile      &file,
+                  const PlaneMesh     &mesh,
+                  const PlaneBoundary &boundary,
+                  const std::string   &path)
       {
-        std::set<boundary_id> present;
-        for (const auto &face : triangulation.active_face_iterators())
-          if (face->at_boundary())
-            present.insert(face->boundary_id());
-        std::string list;
-        for (const boundary_id id : present)
-          list += (list.empty() ? "" : ", ") + std::to_string(id);
-
-        for (const auto &[id, name] :
-             {std::make_pair(file.bore_id, "Bore boundary id"),
-              std::make_pair(file.rim_id, "Rim boundary id")})
-          AssertThrow(present.count(id) == 1,
-                      ExcParameter(path + "/" + name,
-                                   "no boundary in '" + file.name +
-                                     "' has the id " + std::to_string(id) +
-                                     "; there are: " + list));
-        AssertThrow(file.bore_id != file.rim_id,
-                    ExcParameter(path + "/Rim boundary id",
-                                 std::to_string(file.rim_id) +
-                                   " is that of the bore too"));
-
-        for (const auto &face : triangulation.active_face_iterators())
-          if (face->at_boundary())
-            {
-              const boundary_id id = face->boundary_id();
-              face->set_boundary_id(id == file.bore_id  ? BoundaryIds::bore
-                                    : id == file.rim_id ? BoundaryIds::rim
-                                                        : BoundaryIds::free);
-            }
+        using Ends = std::pair<unsigned int, unsigned int>;
+        std::map<Ends, long> id_of_edge;
+        for (std::size_t i = 0; i < boundary.edges.size(); ++i)
+          id_of_edge.emplace(std::minmax(boundary.edges[i][0],
+                                         boundary.edges[i][1]),
+                             boundary.ids[i]);
+        for (const PlaneMesh::Line &line : mesh.lines)
+          {
+            if (line.id != file.bore_id && line.id != file.rim_id)
+              continue;
+            const std::string where =
+              path + (line.id == file.bore_id ? "/Bore" : "/Rim") +
+              " boundary id";
+            const std::string piece =
+              "the line of '" + file.name + "' from " +
+              in_millimetres(mesh.nodes[line.nodes[0]]) + " to " +
+              in_millimetres(mesh.nodes[line.nodes[1]]) + " has the id " +
+              std::to_string(line.id) + " and ";
+            const auto edge =
+              id_of_edge.find(std::minmax(line.nodes[0], line.nodes[1]));
+            AssertThrow(edge != id_of_edge.end(),
+                        ExcParameter(where,
+                                     piece +
+                                       "is not an edge of the mesh at its "
+                                       "boundary"));
+            AssertThrow(edge->second == line.id,
+                        ExcParameter(where,
+                                     piece + std::to_string(edge->second)));
+          }
       }
 
 
 
-      /// The vertices of the bore one after the other.
-      std::vector<unsigned int>
-      walk_along_bore(const MeshFile                 &file,
-                      const std::string              &path,
-                      const dealii::Triangulation<2> &triangulation)
+      /// The edges of the bore, which are a hole.
+      Curve
+      find_bore(const MeshFile      &file,
+                const PlaneMesh     &mesh,
+                const PlaneBoundary &boundary,
+                const std::string   &path)
       {
         const std::string where = path + "/Bore boundary id";
-        std::map<unsigned int, std::vector<unsigned int>> neighbours;
-        for (const auto &face : triangulation.active_face_iterators())
-          if (face->at_boundary() && face->boundary_id() == BoundaryIds::bore)
-            for (const unsigned int v : {0, 1})
-              neighbours[face->vertex_index(v)].push_back(
-                face->vertex_index(1 - v));
-        const auto &vertices = triangulation.get_vertices();
-        for (const auto &[vertex, others] : neighbours)
-          AssertThrow(others.size() == 2,
-                      ExcParameter(where,
-                                   "the curve " + std::to_string(file.bore_id) +
-                                     " of '" + file.name + "' is not closed: " +
-                                     std::to_string(others.size()) +
-                                     " of its faces meet at " +
-                                     millimetres(vertices[vertex])));
-
-        std::vector<unsigned int> walk{neighbours.begin()->first};
-        unsigned int              before = neighbours.begin()->second[0];
-        do
+        const std::string curve =
+          "the curve " + std::to_string(file.bore_id) + " of '" + file.name;
+        Curve bore;
+        for (std::size_t c = 0; c < boundary.curves.size(); ++c)
           {
-            const auto        &others = neighbours[walk.back()];
-            const unsigned int next =
-              others[0] == before ? others[1] : others[0];
-            before = walk.back();
-            walk.push_back(next);
-        } while (walk.back() != walk.front());
-        walk.pop_back();
-        AssertThrow(walk.size() == neighbours.size(),
-                    ExcParameter(where,
-                                 "the curve " + std::to_string(file.bore_id) +
-                                   " of '" + file.name +
-                                   "' is not one closed curve but several"));
-        return walk;
+            const std::size_t begin = boundary.curves[c];
+            const std::size_t end   = c + 1 < boundary.curves.size()
+                                        ? boundary.curves[c + 1]
+                                        : boundary.edges.size();
+            const auto        n     = std::count(boundary.ids.begin() + begin,
+                                      boundary.ids.begin() + end,
+                                      static_cast<long>(file.bore_id));
+            if (n == 0)
+              continue;
+            AssertThrow(bore.empty(),
+                        ExcParameter(where,
+                                     curve + "' is not one closed curve but "
+                                             "several"));
+            double twice_area = 0.;
+            for (std::size_t i = begin; i < end; ++i)
+              {
+                const auto       &a    = mesh.nodes[boundary.edges[i][0]];
+                const auto       &b    = mesh.nodes[boundary.edges[i][1]];
+                const std::size_t next = i + 1 < end ? i + 1 : begin;
+                AssertThrow(boundary.ids[i] != file.bore_id ||
+                              boundary.ids[next] == file.bore_id,
+                            ExcParameter(where,
+                                         curve +
+                                           "' is not closed: it ends at " +
+                                           in_millimetres(b)));
+                twice_area += a[0] * b[1] - a[1] * b[0];
+                bore.push_back(i);
+              }
+            AssertThrow(twice_area < 0.,
+                        ExcParameter(where,
+                                     curve + "' is the outer one of the mesh, "
+                                             "not that of a hole"));
+          }
+        return bore;
       }
 
 
@@ -185,65 +169,135 @@ namespace Tribody
 
       // Round, of the right size, and around the origin; then exactly so.
       void
-      make_bore_round(const MeshFile           &file,
-                      const double              radius,
-                      const std::string        &path,
-                      dealii::Triangulation<2> &triangulation)
+      make_bore_round(const MeshFile      &file,
+                      const double         radius,
+                      const PlaneBoundary &boundary,
+                      const Curve         &bore,
+                      const std::string   &path,
+                      PlaneMesh           &mesh)
       {
-        const std::vector<unsigned int> bore =
-          walk_along_bore(file, path, triangulation);
-        std::vector<dealii::Point<2>> vertices = triangulation.get_vertices();
+        std::vector<unsigned int> nodes;
+        for (const std::size_t i : bore)
+          nodes.push_back(boundary.edges[i][0]);
 
         dealii::Point<2> mean;
-        for (const unsigned int v : bore)
-          mean += vertices[v] / static_cast<double>(bore.size());
+        for (const unsigned int v : nodes)
+          mean += mesh.nodes[v] / static_cast<double>(nodes.size());
         double mean_radius = 0.;
-        for (const unsigned int v : bore)
-          mean_radius += vertices[v].distance(mean) / bore.size();
-        AssertThrow(
-          std::abs(mean_radius / radius - 1.) < 0.1,
-          ExcParameter(path + "/File length unit",
-                       "the bore of '" + file.name +
-                         "' has a radius of about " + millimetres(mean_radius) +
-                         ", the joint's bushing radius is " +
-                         millimetres(radius) +
-                         advise_unit(file.length_unit * radius / mean_radius)));
+        for (const unsigned int v : nodes)
+          mean_radius += mesh.nodes[v].distance(mean) / nodes.size();
+        AssertThrow(std::abs(mean_radius / radius - 1.) < 0.1,
+                    ExcParameter(
+                      path + "/File length unit",
+                      "the bore of '" + file.name + "' has a radius of about " +
+                        in_millimetres(mean_radius) +
+                        ", the joint's bushing radius is " +
+                        in_millimetres(radius) +
+                        advise_unit(file.length_unit * radius / mean_radius)));
 
-        std::size_t worst = 0;
-        const auto  off   = [&](const std::size_t i) {
-          return vertices[bore[i]].norm() - radius;
+        const auto off = [&](const unsigned int v) {
+          return mesh.nodes[v].norm() - radius;
         };
-        for (std::size_t i = 0; i < bore.size(); ++i)
-          if (std::abs(off(i)) > std::abs(off(worst)))
-            worst = i;
+        const unsigned int worst =
+          *std::max_element(nodes.begin(),
+                            nodes.end(),
+                            [&](const auto a, const auto b) {
+                              return std::abs(off(a)) < std::abs(off(b));
+                            });
         // What rounding leaves of a centre is none.
         for (unsigned int d = 0; d < 2; ++d)
           if (std::abs(mean[d]) < 1e-9 * radius)
             mean[d] = 0.;
         AssertThrow(
           std::abs(off(worst)) <= roundness * radius,
-          ExcParameter(
-            path + "/File",
-            "the bore of '" + file.name +
-              "' is not the circle of the joint's bushing radius, " +
-              millimetres(radius) + ", around the origin: its vertex at " +
-              millimetres(vertices[bore[worst]]) + " lies " +
-              millimetres(std::abs(off(worst))) +
-              (off(worst) > 0. ? " outside" : " inside") +
-              " of it; the centre of its vertices is " + millimetres(mean) +
-              ", their mean distance from there " + millimetres(mean_radius)));
+          ExcParameter(path + "/File",
+                       "the bore of '" + file.name +
+                         "' is not the circle of the joint's bushing radius, " +
+                         in_millimetres(radius) +
+                         ", around the origin: its vertex at " +
+                         in_millimetres(mesh.nodes[worst]) + " lies " +
+                         in_millimetres(std::abs(off(worst))) +
+                         (off(worst) > 0. ? " outside" : " inside") +
+                         " of it; the centre of its vertices is " +
+                         in_millimetres(mean) +
+                         ", their mean distance from there " +
+                         in_millimetres(mean_radius)));
+        for (const unsigned int v : nodes)
+          mesh.nodes[v] *= radius / mesh.nodes[v].norm();
+      }
 
-        std::map<unsigned int, dealii::Point<2>> on_circle;
-        for (const unsigned int v : bore)
-          on_circle[v] =
-            dealii::Point<2>(radius / vertices[v].norm() * vertices[v]);
+
+
+      /// @throws ExcParameter if a cell is not convex or is cut by the bore's
+      /// arc.
+      void
+      check_beside_arcs(const MeshFile                 &file,
+                        const double                    radius,
+                        const std::string              &path,
+                        const dealii::Triangulation<2> &triangulation)
+      {
+        const auto side = [](const dealii::Point<2> &a,
+                             const dealii::Point<2> &b,
+                             const dealii::Point<2> &c) {
+          return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        };
         for (const auto &cell : triangulation.active_cell_iterators())
-          for (const unsigned int v : cell->vertex_indices())
+          for (const unsigned int f : cell->face_indices())
             {
-              const auto moved = on_circle.find(cell->vertex_index(v));
-              if (moved != on_circle.end())
-                cell->vertex(v) = moved->second;
+              const auto face = cell->face(f);
+              // Seen from the face, the two other vertices of the cell.
+              const unsigned int other = f ^ 1U;
+              dealii::Point<2>   a = face->vertex(0), b = face->vertex(1);
+              dealii::Point<2>   middle = 0.5 * (a + b);
+              if (face->at_boundary() &&
+                  face->boundary_id() == BoundaryIds::bore)
+                middle *= radius / middle.norm();
+              const double orientation =
+                side(a, b, cell->center()) > 0. ? 1. : -1.;
+              for (const unsigned int v : {0, 1})
+                {
+                  const auto &far = cell->face(other)->vertex(v);
+                  AssertThrow(
+                    orientation * side(a, middle, far) > 0. &&
+                      orientation * side(middle, b, far) > 0.,
+                    ExcParameter(path + "/File",
+                                 "the cell of '" + file.name + "' around " +
+                                   in_millimetres(cell->center()) +
+                                   " is too thin for the arc of the bore or "
+                                   "turned inside out where it is divided; "
+                                   "more or thicker cells are needed there"));
+                }
             }
+      }
+
+
+
+      void
+      make_triangulation(const MeshFile           &file,
+                         const PlaneMesh          &mesh,
+                         const PlaneBoundary      &boundary,
+                         dealii::Triangulation<2> &triangulation)
+      {
+        std::vector<dealii::CellData<2>> cells;
+        for (const auto &[a, b, c, d] : mesh.cells)
+          {
+            dealii::CellData<2> cell;
+            cell.vertices = {a, b, d, c};
+            cells.push_back(cell);
+          }
+        dealii::GridTools::consistently_order_cells(cells);
+        dealii::SubCellData faces;
+        for (std::size_t i = 0; i < boundary.edges.size(); ++i)
+          {
+            const long          id = boundary.ids[i];
+            dealii::CellData<1> face;
+            face.vertices    = {boundary.edges[i][0], boundary.edges[i][1]};
+            face.boundary_id = id == file.bore_id  ? BoundaryIds::bore
+                               : id == file.rim_id ? BoundaryIds::rim
+                                                   : BoundaryIds::free;
+            faces.boundary_lines.push_back(face);
+          }
+        triangulation.create_triangulation(mesh.nodes, cells, faces);
         triangulation.set_all_manifold_ids_on_boundary(BoundaryIds::bore,
                                                        BoundaryIds::bore);
         triangulation.set_manifold(BoundaryIds::bore,
@@ -260,7 +314,8 @@ namespace Tribody
         prm,
         "File",
         name,
-        "A mesh of quadrilaterals written by Gmsh (.msh, format 2 or 4), with "
+        "A mesh of quadrilaterals written by Gmsh (.msh, text, format 2 or "
+        "4.1), with "
         "the centre of the bore at the origin, relative to the directory of "
         "the parameter file. Bore cells, radial cells, grading and outer "
         "shape are then not used. Empty: a ring is meshed.");
@@ -304,12 +359,36 @@ namespace Tribody
     {
       AssertThrow(file.length_unit > 0.,
                   ExcParameter(path + "/File length unit", "must be positive"));
-      read_file(file, path, triangulation);
-      if (file.length_unit != 1.)
-        dealii::GridTools::scale(file.length_unit, triangulation);
-      set_boundary_ids(file, path, triangulation);
-      make_bore_round(file, inner_radius, path, triangulation);
+      AssertThrow(file.bore_id != file.rim_id,
+                  ExcParameter(path + "/Rim boundary id",
+                               std::to_string(file.rim_id) +
+                                 " is that of the bore too"));
+      const std::string where = path + "/File";
+      PlaneMesh mesh = Gmsh::read_gmsh(file.name, file.length_unit, where);
+      // An edge of several groups is that of bore or rim.
+      std::stable_partition(mesh.lines.begin(),
+                            mesh.lines.end(),
+                            [&file](const PlaneMesh::Line &line) {
+                              return line.id == file.bore_id ||
+                                     line.id == file.rim_id;
+                            });
+      Gmsh::check_cells(mesh, file.name, where);
+      const PlaneBoundary boundary =
+        Gmsh::find_boundary(mesh, file.name, where);
+      check_id(file.bore_id, boundary, file.name, path + "/Bore boundary id");
+      check_id(file.rim_id, boundary, file.name, path + "/Rim boundary id");
+      check_lines(file, mesh, boundary, path);
+      make_bore_round(file,
+                      inner_radius,
+                      boundary,
+                      find_bore(file, mesh, boundary, path),
+                      path,
+                      mesh);
+      Gmsh::check_cells(mesh, file.name, where);
+      make_triangulation(file, mesh, boundary, triangulation);
+      check_beside_arcs(file, inner_radius, path, triangulation);
       triangulation.refine_global(file.n_refinements);
+      check_beside_arcs(file, inner_radius, path, triangulation);
     }
   } // namespace Elasticity
 } // namespace Tribody

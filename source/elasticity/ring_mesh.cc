@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -297,20 +298,67 @@ namespace Tribody
 
 
 
+    namespace
+    {
+      // Of the vertices of the rim: angle [rad] and thickness of the wall [m].
+      std::map<double, double>
+      walls_at_rim(const dealii::Triangulation<2, 2> &triangulation,
+                   const double                       inner_radius)
+      {
+        std::map<double, double> own, all;
+        for (const auto &cell : triangulation.active_cell_iterators() |
+                                  dealii::IteratorFilters::LocallyOwnedCell())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
+              for (const unsigned int v : face->vertex_indices())
+                {
+                  const dealii::Point<2> x    = face->vertex(v);
+                  own[std::atan2(x[1], x[0])] = x.norm() - inner_radius;
+                }
+        for (const auto &of_rank : dealii::Utilities::MPI::all_gather(
+               triangulation.get_communicator(), own))
+          all.insert(of_rank.begin(), of_rank.end());
+        return all;
+      }
+    } // namespace
+
+
+
+    PeriodicProfile
+    wall_thickness(const dealii::Triangulation<2, 2> &triangulation,
+                   const double                       inner_radius)
+    {
+      // The same vertex has angles that differ by rounding on two ranks.
+      constexpr double    same = 1e-9;
+      std::vector<double> angles, walls;
+      for (const auto &[angle, wall] :
+           walls_at_rim(triangulation, inner_radius))
+        if (angles.empty() || angle > angles.back() + same)
+          {
+            angles.push_back(angle);
+            walls.push_back(wall);
+          }
+      if (angles.back() > angles.front() + 2. * dealii::numbers::PI - same)
+        {
+          angles.pop_back();
+          walls.pop_back();
+        }
+      return PeriodicProfile(
+        Eigen::Map<Eigen::VectorXd>(angles.data(), angles.size()),
+        Eigen::Map<Eigen::VectorXd>(walls.data(), walls.size()));
+    }
+
+
+
     double
     thinnest_wall(const dealii::Triangulation<2, 2> &triangulation,
                   const double                       inner_radius)
     {
       double thinnest = std::numeric_limits<double>::max();
-      for (const auto &cell : triangulation.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
-            for (const unsigned int v : face->vertex_indices())
-              thinnest =
-                std::min(thinnest, face->vertex(v).norm() - inner_radius);
-      return dealii::Utilities::MPI::min(thinnest,
-                                         triangulation.get_communicator());
+      for (const auto &[angle, wall] :
+           walls_at_rim(triangulation, inner_radius))
+        thinnest = std::min(thinnest, wall);
+      return thinnest;
     }
 
 

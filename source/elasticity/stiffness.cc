@@ -3,6 +3,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_dgp.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/filtered_iterator.h>
@@ -18,10 +19,46 @@ namespace Tribody
   {
     namespace
     {
+      /// Add the part of the change of volume: its projection on the
+      /// polynomials of @p pressures.
+      void
+      add_volumetric_part(const dealii::FEValues<2>  &fe_values,
+                          const dealii::FE_DGP<2>    &pressures,
+                          const double                lambda,
+                          dealii::FullMatrix<double> &cell_matrix)
+      {
+        const auto        &fe = fe_values.get_fe();
+        const unsigned int n  = fe.n_dofs_per_cell();
+        const unsigned int m  = pressures.n_dofs_per_cell();
+
+        dealii::FullMatrix<double> mass(m, m), divergence(m, n);
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          {
+            const auto &point = fe_values.get_quadrature().point(q);
+            for (unsigned int a = 0; a < m; ++a)
+              {
+                const double weighted =
+                  pressures.shape_value(a, point) * fe_values.JxW(q);
+                for (unsigned int b = 0; b < m; ++b)
+                  mass(a, b) += weighted * pressures.shape_value(b, point);
+                for (unsigned int i = 0; i < n; ++i)
+                  divergence(a, i) +=
+                    weighted * fe_values.shape_grad(
+                                 i, q)[fe.system_to_component_index(i).first];
+              }
+          }
+        mass.gauss_jordan();
+        cell_matrix.triple_product(
+          mass, divergence, divergence, true, false, lambda);
+      }
+
+
+
       /// The stiffness of one cell; the element's basis is scalar times unit
       /// vector, so that every strain has one row of the gradient only.
       void
       compute_cell_matrix(const dealii::FEValues<2>  &fe_values,
+                          const dealii::FE_DGP<2>    &pressures,
                           const PlaneHooke           &law,
                           dealii::FullMatrix<double> &cell_matrix)
       {
@@ -37,8 +74,7 @@ namespace Tribody
                 {
                   const unsigned int d = fe.system_to_component_index(j).first;
                   const auto        &grad_j = fe_values.shape_grad(j, q);
-                  cell_matrix(i, j) += law.lambda * grad_i[c] * grad_j[d] +
-                                       law.mu * grad_i[d] * grad_j[c];
+                  cell_matrix(i, j) += law.mu * grad_i[d] * grad_j[c];
                   if (c == d)
                     cell_matrix(i, j) += law.mu * (grad_i * grad_j);
                 }
@@ -46,6 +82,7 @@ namespace Tribody
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < i; ++j)
             cell_matrix(j, i) = cell_matrix(i, j);
+        add_volumetric_part(fe_values, pressures, law.lambda, cell_matrix);
       }
     } // namespace
 
@@ -63,6 +100,7 @@ namespace Tribody
       // One order more than affine cells need: the cells at the bore are
       // curved.
       const dealii::QGauss<2>    quadrature(fe.degree + 1);
+      const dealii::FE_DGP<2>    pressures(fe.degree - 1);
       dealii::FEValues<2>        fe_values(mapping,
                                     fe,
                                     quadrature,
@@ -75,7 +113,7 @@ namespace Tribody
                                 dealii::IteratorFilters::LocallyOwnedCell())
         {
           fe_values.reinit(cell);
-          compute_cell_matrix(fe_values, law, cell_matrix);
+          compute_cell_matrix(fe_values, pressures, law, cell_matrix);
           cell->get_dof_indices(dofs);
           constraints.distribute_local_to_global(cell_matrix, dofs, matrix);
         }

@@ -11,7 +11,7 @@
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <tribody/algebra/linear_solver.h>
-#include <tribody/base/exceptions.h>
+#include <tribody/base/inverted_mesh.h>
 #include <tribody/base/ranks.h>
 #include <tribody/geometry/worn_configuration.h>
 #include <tribody/surface/boundary_ids.h>
@@ -279,7 +279,7 @@ namespace Tribody
               << " mm the mesh turns inside out in the cell around ("
               << 1e3 * smallest.cell_centre
               << ") mm. Is the bushing worn through?";
-      AssertThrow(false, ExcRun(message.str()));
+      AssertThrow(false, ExcInvertedMesh(message.str()));
     }
 
 

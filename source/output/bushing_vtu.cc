@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping.h>
@@ -8,9 +9,11 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/ranks.h>
+#include <tribody/base/whole_file.h>
 #include <tribody/output/bushing_vtu.h>
 
-#include <fstream>
+#include <cerrno>
 
 namespace Tribody
 {
@@ -36,6 +39,30 @@ namespace Tribody
           values[fields.rim_nodes.x_dofs[k]] = fields.rim_pressure[k];
         values.update_ghost_values();
         return values;
+      }
+
+
+
+      // All ranks into one file; the first one gives it its name.
+      void
+      write_together(const dealii::DataOut<2> &data_out,
+                     const std::string        &file_name,
+                     const MPI_Comm           &communicator)
+      {
+        const std::string beside = file_name + ".part";
+        try
+          {
+            data_out.write_vtu_in_parallel(beside, communicator);
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            // MPI's words for a full disk are not for users.
+            throw ExcRun(describe_write_error(file_name, errno));
+          }
+        Ranks::run_together(communicator, [&]() {
+          if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+            replace_file(file_name, [](const std::string &) {});
+        });
       }
     } // namespace
 
@@ -76,13 +103,14 @@ namespace Tribody
 
       if (is_distributed(fields.dof_handler.get_triangulation()))
         {
-          data_out.write_vtu_in_parallel(file_name,
-                                         fields.dof_handler.get_communicator());
+          write_together(data_out,
+                         file_name,
+                         fields.dof_handler.get_communicator());
           return;
         }
-      std::ofstream file(file_name);
-      data_out.write_vtu(file);
-      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      write_whole_file(file_name, [&data_out](std::ostream &file) {
+        data_out.write_vtu(file);
+      });
     }
 
 
@@ -92,9 +120,9 @@ namespace Tribody
       const std::string                                 &file_name,
       const std::vector<std::pair<double, std::string>> &times_and_names)
     {
-      std::ofstream file(file_name);
-      dealii::DataOutBase::write_pvd_record(file, times_and_names);
-      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      write_whole_file(file_name, [&](std::ostream &file) {
+        dealii::DataOutBase::write_pvd_record(file, times_and_names);
+      });
     }
   } // namespace Output
 } // namespace Tribody

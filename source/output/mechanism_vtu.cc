@@ -3,10 +3,8 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/grid/reference_cell.h>
 
-#include <tribody/base/exceptions.h>
+#include <tribody/base/whole_file.h>
 #include <tribody/output/mechanism_vtu.h>
-
-#include <fstream>
 
 namespace Tribody
 {
@@ -57,17 +55,17 @@ namespace Tribody
       flags.compression_level =
         dealii::DataOutBase::VtkFlags::ZlibCompressionLevel::best_speed;
 
-      std::ofstream file(file_name);
-      dealii::DataOutBase::write_vtu(
-        patches,
-        {"part", "body", "joint", "force", "force"},
-        {{3,
-          4,
-          "force",
-          dealii::DataComponentInterpretation::component_is_part_of_vector}},
-        flags,
-        file);
-      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      write_whole_file(file_name, [&](std::ostream &file) {
+        dealii::DataOutBase::write_vtu(
+          patches,
+          {"part", "body", "joint", "force", "force"},
+          {{3,
+            4,
+            "force",
+            dealii::DataComponentInterpretation::component_is_part_of_vector}},
+          flags,
+          file);
+      });
     }
   } // namespace Output
 } // namespace Tribody

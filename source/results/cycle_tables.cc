@@ -76,6 +76,7 @@ namespace Tribody
                            joint.moment[j],
                            joint.point_x[j],
                            joint.point_y[j]});
+        table.finish();
       }
 
 
@@ -110,6 +111,7 @@ namespace Tribody
                            joint.moment[j],
                            joint.point_x[j],
                            joint.point_y[j]});
+        table.finish();
       }
 
 
@@ -152,6 +154,7 @@ namespace Tribody
              static_cast<double>(contact.state),
              static_cast<double>(contact.has_onset),
              static_cast<double>(contact.has_loss)});
+        table.finish();
       }
 
 
@@ -199,6 +202,7 @@ namespace Tribody
                              a(1),
                              a(2)});
           }
+        table.finish();
       }
 
 
@@ -227,6 +231,7 @@ namespace Tribody
                            driver.force_y[j],
                            driver.moment[j],
                            driver.power[j]});
+        table.finish();
       }
 
 
@@ -289,6 +294,7 @@ namespace Tribody
               }
             table.write_row(row);
           }
+        table.finish();
       }
     } // namespace
 

@@ -2,6 +2,7 @@
 
 #include <tribody/base/units.h>
 #include <tribody/results/printed_summary.h>
+#include <tribody/results/warnings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +32,54 @@ namespace Tribody
       print_surface(std::ostream         &out,
                     const char           *name,
                     const char           *frame,
-                    const SurfaceResults &surface)
+                    const SurfaceResults &surface,
+                    const double          depth_relative_error)
       {
         out << "    " << name << ": maximum depth " << std::setprecision(4)
-            << surface.max_wear_depth * 1e3 << " mm at "
-            << Units::degrees(surface.max_wear_angle) << " deg" << frame
-            << ", volume " << surface.worn_volume * 1e9 << " mm^3, mass "
-            << surface.worn_mass * 1e3 << " g" << std::endl;
+            << surface.max_wear_depth * 1e3 << " mm";
+        if (surface.max_wear_depth > 0.)
+          out << " \u00b1 " << std::setprecision(2)
+              << 100. * depth_relative_error << " %" << std::setprecision(4);
+        out << " at " << Units::degrees(surface.max_wear_angle) << " deg"
+            << frame << ", volume " << surface.worn_volume * 1e9
+            << " mm^3, mass " << surface.worn_mass * 1e3 << " g" << std::endl;
+        if (surface.archard_volume > 0.)
+          out << "      k F s = " << surface.archard_volume * 1e9
+              << " mm^3; the volume is "
+              << surface.worn_volume / surface.archard_volume
+              << " times that (1 for a narrow contact, 4/pi for one that has "
+                 "worn in over half the bore)"
+              << std::endl;
+      }
+
+
+
+      // Those of the joint; of all where it is empty.
+      void
+      print_warnings(std::ostream               &out,
+                     const std::vector<Warning> &warnings,
+                     const std::string          &joint)
+      {
+        for (const Warning &warning : warnings)
+          if (warning.joint == joint)
+            out << (joint.empty() ? "  " : "    ")
+                << "WARNING: " << warning.message << "." << std::endl;
+      }
+
+
+
+      // The law that the motion is integrated with, and its constant.
+      void
+      print_contact_law(std::ostream                     &out,
+                        const Multibody::JointParameters &joint)
+      {
+        const auto K =
+          Multibody::find_hertz_stiffness(joint.contact_force_law.make(joint));
+        out << "    contact force law: " << name_of(joint.contact_force_law);
+        if (K)
+          out << ", K = " << std::setprecision(4) << *K << " N/m^1.5 ("
+              << name_of(joint.radii_combination) << " of the radii)";
+        out << std::endl;
       }
 
 
@@ -98,7 +140,8 @@ namespace Tribody
                     const unsigned int       contact_losses)
       {
         const CycleContact &contact = state.joints[results.number].contact;
-        print_surface(out, "bushing", "", results.bushing);
+        print_surface(
+          out, "bushing", "", results.bushing, results.depth_relative_error());
         out << "    contact (" << name_of(parameters.pressure_model)
             << "): largest pressure " << contact.max_pressure * 1e-6
             << " MPa, half-angle at the largest force "
@@ -107,7 +150,11 @@ namespace Tribody
         double balance = results.bushing.volume_balance_relative_error;
         if (results.pin)
           {
-            print_surface(out, "pin", " of its own frame", *results.pin);
+            print_surface(out,
+                          "pin",
+                          " of its own frame",
+                          *results.pin,
+                          results.depth_relative_error());
             balance =
               std::max(balance, results.pin->volume_balance_relative_error);
           }
@@ -121,10 +168,8 @@ namespace Tribody
           print_mesh_error(out, state.mesh_errors[results.number]);
         const Strains    &strains = state.joints[results.number].totals.strains;
         const std::string validity = describe(strains);
-        if (!validity.empty())
-          out << (strains.largest() > Strains::doubtful ? "    WARNING: "
-                                                        : "    note: ")
-              << validity << std::endl;
+        if (!validity.empty() && strains.largest() <= Strains::doubtful)
+          out << "    note: " << validity << std::endl;
       }
 
 
@@ -234,12 +279,20 @@ namespace Tribody
 
       // The joints, and what the motion has cost.
       void
-      print_dynamics(std::ostream &out, const Multibody::DutyCycle &cycle)
+      print_dynamics(std::ostream               &out,
+                     const CaseParameters       &parameters,
+                     const Multibody::DutyCycle &cycle,
+                     const std::vector<Warning> &warnings)
       {
         print_joint_table(out, cycle);
         for (const Multibody::JointDutyCycle &joint : cycle.joints)
-          if (joint.has_gap)
-            print_contacts(out, joint);
+          {
+            if (joint.has_gap)
+              print_contacts(out, joint);
+            if (joint.has_contact_law)
+              print_contact_law(out, parameters.joint(joint.name));
+            print_warnings(out, warnings, joint.name);
+          }
         const Multibody::SettlingReport      &settling   = cycle.settling;
         const Sundials::IntegratorStatistics &statistics = cycle.statistics;
         if (statistics.n_steps > 0)
@@ -269,9 +322,10 @@ namespace Tribody
 
 
       void
-      print_joints(std::ostream         &out,
-                   const CaseParameters &parameters,
-                   const RunResults     &results)
+      print_joints(std::ostream               &out,
+                   const CaseParameters       &parameters,
+                   const RunResults           &results,
+                   const std::vector<Warning> &warnings)
       {
         const Multibody::DutyCycle &cycle = results.state.duty_cycle;
         for (std::size_t j = 0; j < cycle.joints.size(); ++j)
@@ -290,6 +344,9 @@ namespace Tribody
                             *bushing,
                             results.state,
                             results.state.dynamics.contact_losses[j]);
+            if (joint.has_contact_law)
+              print_contact_law(out, parameters.joint(joint.name));
+            print_warnings(out, warnings, joint.name);
           }
       }
 
@@ -313,7 +370,8 @@ namespace Tribody
             << 100. * least_known->step_error() << " %, mesh "
             << 100. * least_known->mesh_error << " %, samples "
             << 100. * motion.sampling << " %, motion "
-            << 100. * (motion.inertia + motion.settling + motion.integration)
+            << 100. * (motion.inertia + motion.settling + motion.integration +
+                       motion.creep)
             << " %); of the volume by the wear steps: "
             << 100. * results.volume_relative_error() << " %" << std::endl;
       }
@@ -321,34 +379,22 @@ namespace Tribody
 
 
       void
-      print_warnings_and_costs(std::ostream     &out,
-                               const bool        is_dynamics_only,
-                               const RunResults &results)
+      print_motion_and_costs(std::ostream     &out,
+                             const bool        is_dynamics_only,
+                             const RunResults &results)
       {
         const RunCounts      &counts   = results.state.counts;
         const DynamicsTotals &dynamics = results.state.dynamics;
         if (counts.wear_steps > 0)
           print_errors(out, results);
-        if (is_dynamics_only)
-          {
-            if (!dynamics.settling_message.empty())
-              out << "  WARNING: " << dynamics.settling_message << "."
-                  << std::endl;
-          }
-        else
-          {
-            if (!dynamics.all_settled)
-              out << "  WARNING: not every duty cycle settled: "
-                  << dynamics.settling_message << "." << std::endl;
-            else if (!dynamics.settling_message.empty())
-              out << "  note: the dynamics " << dynamics.settling_message << "."
-                  << std::endl;
-            out << "  " << counts.wear_steps << " wear steps, "
-                << counts.dynamics_cycles << " cycles of dynamics, "
-                << counts.contact_solves << " contact problems, "
-                << counts.compliance_builds << " compliance builds"
-                << std::endl;
-          }
+        if (dynamics.all_settled && !dynamics.settling_message.empty())
+          out << "  note: the dynamics " << dynamics.settling_message << "."
+              << std::endl;
+        if (!is_dynamics_only)
+          out << "  " << counts.wear_steps << " wear steps, "
+              << counts.dynamics_cycles << " cycles of dynamics, "
+              << counts.contact_solves << " contact problems, "
+              << counts.compliance_builds << " compliance builds" << std::endl;
         out << "  wall time " << std::setprecision(3) << results.wall_time
             << " s" << std::endl;
       }
@@ -375,11 +421,13 @@ namespace Tribody
                 ? ""
                 : " (" + name_of(results.status) + ": " + results.message + ")")
           << std::endl;
+      const std::vector<Warning> warnings = find_warnings(parameters, results);
       if (is_dynamics_only)
-        print_dynamics(out, results.state.duty_cycle);
+        print_dynamics(out, parameters, results.state.duty_cycle, warnings);
       else
-        print_joints(out, parameters, results);
-      print_warnings_and_costs(out, is_dynamics_only, results);
+        print_joints(out, parameters, results, warnings);
+      print_warnings(out, warnings, "");
+      print_motion_and_costs(out, is_dynamics_only, results);
 
       out.flags(flags);
       out.precision(precision);

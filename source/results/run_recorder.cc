@@ -5,6 +5,7 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
 #include <tribody/base/units.h>
+#include <tribody/base/whole_file.h>
 #include <tribody/output/bushing_vtu.h>
 #include <tribody/output/mechanism_vtu.h>
 #include <tribody/results/cycle_tables.h>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -76,11 +76,9 @@ namespace Tribody
       if (!writes)
         return;
 
-      const std::string message   = directory.create();
-      const std::string file_name = directory.file("parameters.prm");
-      std::ofstream     file(file_name);
-      file << parameters.text << std::flush;
-      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      const std::string message = directory.create();
+      write_whole_file(directory.file("parameters.prm"),
+                       [this](std::ostream &file) { file << parameters.text; });
 
       console.open_log(directory.file("log.txt"));
       if (!message.empty())
@@ -227,7 +225,8 @@ namespace Tribody
            "Pressure: largest of the cycle. Clearance: largest, bore radius "
            "minus pin radius plus depths. Pin: what wear has taken from its "
            "radius and from its volume."}),
-        columns);
+        columns,
+        TableKind::growing);
     }
 
 
@@ -285,11 +284,8 @@ namespace Tribody
         }
       Output::write_pvd(directory.file("mechanism.pvd"), frames);
 
-      const std::string file_name =
-        directory.joint_file("mechanism", "legend.txt");
-      std::ofstream file(file_name);
-      file << picture.legend() << std::flush;
-      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      write_whole_file(directory.joint_file("mechanism", "legend.txt"),
+                       [&](std::ostream &file) { file << picture.legend(); });
     }
 
 
@@ -312,6 +308,7 @@ namespace Tribody
         table.write_row({Units::degrees(bushing.node_angles()[i]),
                          bushing.profile().depth[i],
                          contact.peak_pressure[i]});
+      table.finish();
 
       if (bushing.wearing_pin() != nullptr)
         write_pin(state, bushing);
@@ -336,6 +333,7 @@ namespace Tribody
       for (Eigen::Index i = 0; i < pin.node_angles().size(); ++i)
         table.write_row(
           {Units::degrees(pin.node_angles()[i]), pin.profile().depth[i]});
+      table.finish();
     }
 
 

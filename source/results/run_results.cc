@@ -91,6 +91,9 @@ namespace Tribody
         results.max_wear_angle = node_angles[deepest];
         results.worn_volume    = worn_volume;
         results.worn_mass      = worn_volume * surface.density;
+        if (surface.law.is_constant())
+          results.archard_volume =
+            surface.law.archard.wear_coefficient * totals.force_over_sliding;
         if (surface_totals.removed_volume > noticeable * bore_volume)
           results.volume_balance_relative_error =
             std::abs(worn_volume / surface_totals.removed_volume - 1.);

@@ -2,14 +2,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include <tribody/base/exceptions.h>
 #include <tribody/base/units.h>
 #include <tribody/base/version.h>
+#include <tribody/base/whole_file.h>
 #include <tribody/results/summary_json.h>
+#include <tribody/results/warnings.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
+#include <ostream>
 
 namespace Tribody
 {
@@ -23,10 +24,18 @@ namespace Tribody
       Json
       surface_to_json(const SurfaceResults &surface)
       {
-        return {{"max_wear_depth_m", surface.max_wear_depth},
-                {"max_wear_angle_deg", Units::degrees(surface.max_wear_angle)},
-                {"worn_volume_m3", surface.worn_volume},
-                {"worn_mass_kg", surface.worn_mass}};
+        Json json = {{"max_wear_depth_m", surface.max_wear_depth},
+                     {"max_wear_angle_deg",
+                      Units::degrees(surface.max_wear_angle)},
+                     {"worn_volume_m3", surface.worn_volume},
+                     {"worn_mass_kg", surface.worn_mass}};
+        if (surface.archard_volume > 0.)
+          {
+            json["k_F_s_m3"] = surface.archard_volume;
+            json["worn_volume_over_k_F_s"] =
+              surface.worn_volume / surface.archard_volume;
+          }
+        return json;
       }
 
 
@@ -112,7 +121,37 @@ namespace Tribody
                 {"inertia_of_following_pins", bushing.duty_errors.inertia},
                 {"settling", bushing.duty_errors.settling},
                 {"integration", bushing.duty_errors.integration},
+                {"creep_of_friction", bushing.duty_errors.creep},
                 {"sum", bushing.depth_relative_error()}};
+      }
+
+
+
+      Json
+      contact_law_to_json(const Multibody::JointParameters &joint)
+      {
+        Json json = {{"name", name_of(joint.contact_force_law)}};
+        if (const auto K = Multibody::find_hertz_stiffness(
+              joint.contact_force_law.make(joint)))
+          {
+            json["K_N_m-1.5"] = *K;
+            json["radii"]     = name_of(joint.radii_combination);
+          }
+        return json;
+      }
+
+
+
+      Json
+      warnings_to_json(const CaseParameters &parameters,
+                       const RunResults     &results)
+      {
+        Json json = Json::array();
+        for (const Warning &warning : find_warnings(parameters, results))
+          json.push_back({{"code", warning.code},
+                          {"joint", warning.joint},
+                          {"message", warning.message}});
+        return json;
       }
 
 
@@ -170,6 +209,10 @@ namespace Tribody
                                   bushing != nullptr ? bushing->clearance
                                                      : joint.clearance(),
                                   state.dynamics.contact_losses[j]);
+            if (cycle.has_contact_law)
+              json["contact_law"] = contact_law_to_json(joint);
+            if (cycle.creep_distance > 0.)
+              json["creep_per_cycle_m"] = cycle.creep_distance;
             if (cycles.energy.cycle.has_work && cycle.has_contact_law)
               {
                 const Eigen::Index law = cycles.contact_law_number(j);
@@ -236,6 +279,7 @@ namespace Tribody
           {"settled", state.dynamics.all_settled},
           {"message", state.dynamics.settling_message},
           {"settling_relative_difference", settling.repeat_difference},
+          {"settling_distance", settling.distance},
           {"settling_cycles", settling.n_cycles},
           {"averaged_cycles", settling.n_averaged_cycles},
           {"integration_steps", statistics.n_steps},
@@ -275,6 +319,7 @@ namespace Tribody
                    {"case", parameters.title},
                    {"status", name_of(results.status)},
                    {"message", results.message},
+                   {"warnings", warnings_to_json(parameters, results)},
                    {"cycles", state.cycles},
                    {"wall_time_s", results.wall_time},
                    {"cpu_time_s", results.cpu_time},
@@ -301,9 +346,8 @@ namespace Tribody
       // Text from the parameter file may be in any encoding.
       const std::string text =
         json.dump(2, ' ', false, Json::error_handler_t::replace);
-      std::ofstream file(file_name);
-      file << text << std::endl;
-      AssertThrow(file, ExcRun("Cannot write '" + file_name + "'."));
+      write_whole_file(file_name,
+                       [&text](std::ostream &file) { file << text << '\n'; });
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+
 #include <boost/program_options.hpp>
 
 #include <tribody/base/console.h>
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/version.h>
+#include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/output/output_directory.h>
 #include <tribody/run/command_line.h>
@@ -71,6 +76,21 @@ namespace Tribody
           }
         return options;
       }
+
+
+
+      // Before it is taken, as that may last.
+      void
+      tell_memory(const CaseParameters &parameters,
+                  const bool            always,
+                  Console              &console)
+      {
+        constexpr double much   = 1e9;
+        const double     needed = estimate_memory(parameters);
+        if (always || needed > much)
+          console.out() << "Memory: about " << describe_memory(needed)
+                        << " while the case is set up" << std::endl;
+      }
     } // namespace
 
 
@@ -88,7 +108,7 @@ namespace Tribody
           console.out() << "Usage: tribody [options] FILE.prm\n"
                         << visible
                         << "Exit status: 0 done, 1 the run failed, 2 bad input "
-                           "or usage"
+                           "or usage, 128 + n stopped by signal n"
                         << std::endl;
           return 0;
         }
@@ -124,10 +144,18 @@ namespace Tribody
 
       Output::OutputDirectory directory(parameters.output_directory,
                                         communicator);
-      console.out() << parameters.title << std::endl;
+      const bool              only_checks = options.count("check") > 0;
+      if (!only_checks)
+        {
+          watch_for_interruption(
+            dealii::Utilities::MPI::this_mpi_process(communicator) == 0);
+          directory.take();
+        }
+      console.out() << printable(parameters.title) << std::endl;
+      tell_memory(parameters, only_checks, console);
       WearSimulation simulation(parameters, console, communicator);
       simulation.print_setup();
-      if (options.count("check") > 0)
+      if (only_checks)
         console.out() << "The file is in order; nothing was run." << std::endl;
       else
         simulation.run(directory);

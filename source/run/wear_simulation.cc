@@ -4,10 +4,13 @@
 #include <deal.II/base/utilities.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/foreign_exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/bushing/memory_estimate.h>
 #include <tribody/bushing/mesh_resolution.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
@@ -18,6 +21,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <string>
 
@@ -118,15 +122,27 @@ namespace Tribody
           {
             const Multibody::JointParameters &joint =
               parameters.joint(bushing.name);
-            bushings.emplace_back(needs_forces
-                                    ? resolve_contact_arc(bushing,
-                                                          joint,
-                                                          first_cycle.joint(
-                                                            bushing.name))
-                                    : bushing,
-                                  joint,
-                                  parameters.wear.compliance_update,
-                                  communicator);
+            const BushingParameters resolved =
+              needs_forces
+                ? resolve_contact_arc(bushing,
+                                      joint,
+                                      first_cycle.joint(bushing.name))
+                : bushing;
+            try
+              {
+                bushings.emplace_back(resolved,
+                                      joint,
+                                      parameters.wear.compliance_update,
+                                      communicator);
+              }
+            catch (const std::bad_alloc &)
+              {
+                throw ExcRun("Bushing " + bushing.name +
+                             ": there is not enough memory for its mesh and "
+                             "its compliance, about " +
+                             describe_memory(estimate_memory(resolved, joint)) +
+                             ". Fewer 'Mesh/Bore cells' need less.");
+              }
           }
         return bushings;
       }
@@ -143,7 +159,7 @@ namespace Tribody
       , timer(console.out(),
               dealii::TimerOutput::never,
               dealii::TimerOutput::wall_times)
-      , mechanism(parameters.mechanism)
+      , mechanism(Multibody::count_redundant_constraints(parameters.mechanism))
       , dynamics(mechanism, make_dynamics_parameters(parameters))
       , process(parameters.wear,
                 make_bushings(parameters, dynamics, communicator))
@@ -291,21 +307,19 @@ namespace Tribody
       RunRecorder recorder(
         parameters, mechanism, directory, console, communicator);
       Ranks::run_together(communicator, [&]() { recorder.start(); });
-      watch_for_interruption();
       RunResults results;
       try
         {
           run_cycles(recorder);
           const RunResults reached = this->results();
-          Ranks::run_together(communicator, [&]() { check_results(reached); });
+          Ranks::run_together(communicator, [&]() {
+            check_results(reached);
+            check_files(directory);
+          });
           Ranks::run_together(communicator, [&]() {
             results =
-              is_over()
-                ? conclude(directory, recorder, reached.status, reached.message)
-                : conclude(directory,
-                           recorder,
-                           RunStatus::stopped,
-                           "interrupted by a signal");
+              conclude(directory, recorder, reached.status, reached.message);
+            check_files(directory);
           });
         }
       catch (const std::exception &exception)
@@ -315,9 +329,6 @@ namespace Tribody
         }
       if (parameters.cycles > 0)
         timer.print_summary();
-      AssertThrow(is_over(),
-                  ExcRun("It was interrupted; the results up to there are "
-                         "written."));
       return results;
     }
 
@@ -334,11 +345,10 @@ namespace Tribody
         {
           advance(recorder.next_output());
           recorder.record(state(), process.bushings());
-          const bool is_interrupted = was_interrupted_anywhere();
-          if (is_interrupted || !state().stopped_by.empty())
+          if (!state().stopped_by.empty())
             recorder.record_fields(state(), process.bushings());
-          if (is_interrupted)
-            return;
+          if (!is_over())
+            stop_if_interrupted_anywhere();
         }
     }
 
@@ -349,10 +359,14 @@ namespace Tribody
                                  RunRecorder                   &recorder,
                                  const std::exception          &exception)
     {
+      const RunStatus status =
+        dynamic_cast<const ExcInterrupted *>(&exception) != nullptr
+          ? RunStatus::stopped
+          : RunStatus::failed;
       const auto *ours =
         dynamic_cast<const dealii::ExceptionBase *>(&exception);
       const std::string message =
-        ours != nullptr ? message_of(*ours) : exception.what();
+        ours != nullptr ? message_of(*ours) : describe_foreign(exception);
       // What made the run fail may make this fail too, a full disk for example;
       // the first failure is the one to report.
       try
@@ -360,11 +374,11 @@ namespace Tribody
           if (ours == nullptr)
             {
               // Perhaps on this rank only, which must not wait for others.
-              conclude(directory, recorder, RunStatus::failed, message);
+              conclude(directory, recorder, status, message);
               return;
             }
           Ranks::run_together(communicator, [&]() {
-            conclude(directory, recorder, RunStatus::failed, message);
+            conclude(directory, recorder, status, message);
           });
           recorder.record_fields(state(), process.bushings());
         }
@@ -390,18 +404,34 @@ namespace Tribody
       results.peak_memory_bytes = 1024. * memory.VmHWM;
 
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        write_summary_json(directory.file("summary.json"), parameters, results);
+        {
+          directory.release_reserve();
+          write_summary_json(directory.file("summary.json"),
+                             parameters,
+                             results);
+        }
       print_results(console.out(), parameters, results);
       return results;
     }
 
 
 
-    bool
-    WearSimulation::was_interrupted_anywhere() const
+    void
+    WearSimulation::stop_if_interrupted_anywhere() const
     {
-      return dealii::Utilities::MPI::max(was_interrupted() ? 1 : 0,
-                                         communicator) > 0;
+      const int signal =
+        dealii::Utilities::MPI::max(interrupting_signal(), communicator);
+      if (signal != 0)
+        throw ExcInterrupted(signal);
+    }
+
+
+
+    void
+    WearSimulation::check_files(const Output::OutputDirectory &directory) const
+    {
+      directory.check_complete();
+      AssertThrow(console.log_error().empty(), ExcRun(console.log_error()));
     }
 
 
@@ -473,7 +503,7 @@ namespace Tribody
             reach_of(state().joints[j].contact);
       Multibody::DutyCycle cycle;
       Ranks::run_together(communicator, [&]() {
-        cycle = dynamics.run(clearances, supports, arcs);
+        cycle = dynamics.run(clearances, supports, arcs, &state().duty_cycle);
       });
       take_forces_of_first_rank(cycle, communicator);
 

@@ -104,7 +104,8 @@ namespace Tribody
         return;
       twin.renew_duty_cycle(run.state().duty_cycle);
       twin.solve_contacts();
-      while (twin.state().cycles < run.state().cycles)
+      while (twin.state().cycles < run.state().cycles &&
+             twin.state().stopped_by.empty())
         {
           const double begin = twin.state().cycles;
           twin.take_step(run.state().cycles);
@@ -114,9 +115,11 @@ namespace Tribody
         {
           MeshError &error       = errors[bushing_of_run[c]];
           error.covers_whole_run = true;
-          error.wear_depth       = relative_difference(
-            twin.bushings()[c].profile().max_depth(),
-            run.bushings()[bushing_of_run[c]].profile().max_depth());
+          // One that is worn through before the other has stopped there.
+          error.wear_depth = relative_difference(
+            twin.bushings()[c].profile().max_depth() / twin.state().cycles,
+            run.bushings()[bushing_of_run[c]].profile().max_depth() /
+              run.state().cycles);
         }
     }
   } // namespace Coupling

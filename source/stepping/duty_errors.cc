@@ -27,17 +27,23 @@ namespace Tribody
                          const double                     reach)
     {
       DutyErrors errors;
-      errors.sampling      = joint.sampling_error(reach);
-      errors.inertia       = joint.wear_of_neglected_inertia;
-      errors.integration   = cycle.integration_error;
-      const unsigned int n = cycle.settling.n_averaged_cycles;
-      if (n > 1 && joint.mean_force() > 0.)
-        // Twice the standard error of the mean.
-        errors.settling =
-          2. * joint.mean_force_deviation /
-          (std::sqrt(static_cast<double>(n)) * joint.mean_force());
+      errors.sampling    = joint.sampling_error(reach);
+      errors.inertia     = joint.wear_of_neglected_inertia;
+      errors.integration = cycle.integration_error;
+      errors.creep       = joint.creep_share;
+      const Multibody::SettlingReport &settling = cycle.settling;
+      const unsigned int               n        = settling.n_averaged_cycles;
+      if (n == 1)
+        errors.settling = std::isfinite(settling.distance)
+                            ? settling.distance
+                            : settling.repeat_difference;
       else
-        errors.settling = cycle.settling.repeat_difference;
+        errors.settling = joint.wear_scatter;
+      // What comes nearer steadily no mean takes away.
+      if (n > 1 && settling.decay > 0.5 && settling.decay < 1.)
+        errors.settling =
+          std::max(errors.settling,
+                   joint.wear_trend / (1. - std::pow(settling.decay, n - 1.)));
       return errors;
     }
   } // namespace Coupling

@@ -14,8 +14,16 @@ namespace Tribody
             bushings[j].bushing_parameters().limits;
           for (std::size_t i = 0; i < limits.size(); ++i)
             if (limits[i] > 0.)
-              conditions.push_back(
-                {&bushings[j], j, &joint_limits()[i], limits[i]});
+              conditions.push_back({&bushings[j],
+                                    j,
+                                    &joint_limits()[i],
+                                    limits[i],
+                                    joint_limits()[i].describe(limits[i])});
+          conditions.push_back({&bushings[j],
+                                j,
+                                &worn_through(),
+                                worn_through_at,
+                                "worn through"});
         }
     }
 
@@ -40,7 +48,7 @@ namespace Tribody
     StopConditions::describe(const unsigned int condition) const
     {
       const Condition &c = conditions[condition];
-      return c.bushing->name() + ": " + c.quantity->describe(c.limit);
+      return c.bushing->name() + ": " + c.description;
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <tribody/base/exceptions.h>
+#include <tribody/base/inverted_mesh.h>
 #include <tribody/stepping/make_jump.h>
 #include <tribody/stepping/wear_process.h>
 
@@ -82,6 +82,8 @@ namespace Tribody
         }
       totals.constraint_drift =
         std::max(totals.constraint_drift, cycle.constraint_drift);
+      if (!settling.converged && totals.all_settled)
+        totals.unsettled_message = settling.message;
       totals.all_settled = totals.all_settled && settling.converged;
       totals.contact_losses.resize(cycle.joints.size());
       for (std::size_t j = 0; j < cycle.joints.size(); ++j)
@@ -131,25 +133,56 @@ namespace Tribody
 
 
 
+    WearStep
+    WearProcess::advance(double end)
+    {
+      // Beyond the wall there is no contact to be found for the stages of a
+      // long step; rates change little on the way there.
+      constexpr double beyond_wall = 1.25;
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        end = std::min(end,
+                       run_state.cycles +
+                         beyond_wall * joint_bushings[j].cycles_to_wear_through(
+                                         run_state.joints[j].contact));
+
+      // Of the cycles so far; a life need not be known better.
+      constexpr double   shortest_last_step = 1e-3;
+      const StepperState before             = run_state.stepper;
+      while (true)
+        {
+          WearStep step;
+          try
+            {
+              step = jump->advance(run_state, end);
+              for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+                joint_bushings[j].set_depth(step.depths[j]);
+              return step;
+            }
+          catch (const ExcInvertedMesh &)
+            {
+              run_state.stepper = before;
+              restore(run_state);
+              const double n_cycles = step.cycles - run_state.cycles;
+              if (n_cycles <= shortest_last_step * run_state.cycles)
+                throw;
+              end = run_state.cycles + 0.5 * n_cycles;
+            }
+          catch (...)
+            {
+              // Whatever it is: other ranks are told that a run has failed.
+              run_state.stepper = before;
+              restore(run_state);
+              throw;
+            }
+        }
+    }
+
+
+
     void
     WearProcess::take_step(const double end)
     {
-      const StepperState before = run_state.stepper;
-      WearStep           step;
-      try
-        {
-          step = jump->advance(run_state, end);
-          for (std::size_t j = 0; j < joint_bushings.size(); ++j)
-            joint_bushings[j].set_depth(step.depths[j]);
-        }
-      catch (...)
-        {
-          // Whatever it is: other ranks are told that a run has failed.
-          run_state.stepper = before;
-          restore(run_state);
-          throw;
-        }
-
+      const WearStep step = advance(end);
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         {
           const WearingBushing            &bushing = joint_bushings[j];
@@ -175,6 +208,7 @@ namespace Tribody
           totals.duty_errors.inertia += n_cycles * errors.inertia;
           totals.duty_errors.settling += n_cycles * errors.settling;
           totals.duty_errors.integration += n_cycles * errors.integration;
+          totals.duty_errors.creep += n_cycles * errors.creep;
           totals.force_over_sliding += distance * cycle.mean_normal_force();
           const std::vector<WearingSurface> surfaces = bushing.surfaces();
           for (std::size_t i = 0; i < surfaces.size(); ++i)

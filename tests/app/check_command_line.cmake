@@ -34,9 +34,9 @@ set(_number "[0-9]+\\.[0-9]+\\.[0-9]+")
 run(--version)
 expect_match("^tribody ${_number} \\([0-9a-z-]+\\), deal\\.II ${_number}[^,\n]*, Trilinos ${_number}, SUNDIALS ${_number}\n$")
 
-# One line for the title, the mechanism and each bushing, and the verdict.
+# One line for the title, the memory, the mechanism and each bushing, and the verdict.
 run(--check ${CASE} --output results)
-expect_match("^[^\n]+\nMechanism: 3 bodies, 4 joints, 2 degrees of freedom\nBushing crank_pin: 120 bore nodes, [^\n]+\nThe file is in order; nothing was run\\.\n$")
+expect_match("^[^\n]+\nMemory: about [0-9]+ MB [^\n]+\nMechanism: 3 bodies, 4 joints, 2 degrees of freedom\nBushing crank_pin: 120 bore nodes, [^\n]+\nThe file is in order; nothing was run\\.\n$")
 expect_files()
 
 # The template is a parameter file: the program takes it back, once the names

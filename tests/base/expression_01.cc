@@ -4,6 +4,8 @@
 // - A number is a constant however it is written, and only 1 is one; what looks
 //   like a number with something behind it is not.
 // - The values of expressions, from their formulas.
+// - Commas stand between arguments of functions only, and a single '=' gives
+//   nothing: 0,5*t is not 5*t.
 // - What cannot be parsed is named with its parameter and the variables that it
 //   may have; a place without a value with the names and units of its
 //   coordinates.
@@ -36,7 +38,14 @@ main()
                                  "1 + 0*t",
                                  "pi/pi",
                                  "1 x",
-                                 ""})
+                                 "",
+                                 "0,5*t",
+                                 "t,1",
+                                 "2*(0,5)*t",
+                                 "sin(0,5)*t",
+                                 "max(t, 1) + min(0.5, if(t < 1, 2, 3))",
+                                 "t = 5",
+                                 "if(t == 2, 1, 0) + (t <= 2) + (t != 2)"})
     {
       std::cout << "'" << text << "': ";
       try

@@ -6,10 +6,13 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <sys/stat.h>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameter_file.h>
 #include <tribody/base/parameters.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -85,6 +88,8 @@ body(const std::string &lines)
 int
 main()
 {
+  for (const char *name : {"pipe", "circle"})
+    std::filesystem::remove(name);
   write("included.prm",
         "subsection Body crank\n  set Radius = 2 mm # later\nend\n");
   write("main.prm",
@@ -117,6 +122,40 @@ main()
   read(".");
   read("main.prm", {"Body crank/Radius"});
   read("main.prm", {"Body crank/Radius=3 kg"});
+  // What a case is not made of: devices and pipes, files of no end or of many
+  // others, lines of foreign files, and control characters.
+  write("device.prm", "include /dev/zero\n");
+  read("device.prm");
+  mkfifo("pipe", 0600);
+  read("pipe");
+  write("memory.prm", "include /proc/self/mem\n");
+  read("memory.prm");
+  for (unsigned int i = 1; i <= 13; ++i)
+    {
+      std::string lines;
+      for (unsigned int k = 0; k < 5; ++k)
+        lines += "include f" + std::to_string(i + 1) + ".prm\n";
+      write("f" + std::to_string(i) + ".prm", lines);
+    }
+  write("f14.prm", "");
+  read("f1.prm");
+  read(std::string(300, 'x'));
+  write("long_name.prm", "include " + std::string(300, 'x') + "\n");
+  read("long_name.prm");
+  std::filesystem::create_symlink("circle", "circle");
+  write("circle.prm", "include circle\n");
+  read("circle.prm");
+  write("long_line.prm", "set a = " + std::string(2000000, 'x') + "\n");
+  read("long_line.prm");
+  write("long_lines.prm", std::string(70000000, '\n'));
+  read("long_lines.prm");
+  std::filesystem::remove("long_lines.prm");
+  body("PATH=/usr/bin\x1b[31m" + std::string(100, 'x') + " secret");
+  body(std::string("set Choice = a\0b\xff\xc2\x9b\xc3\xa4", 21));
+  body("set Radius = " + std::string(100, '1') + "secret");
+  read("main.prm", {"Body crank/Choice=two\nset Number = 7"});
+  read("main.prm", {"Body crank/Choice=two # secret"});
+  read("main.prm", {"Body crank/Choice=two\\"});
   for (const char *text : {"a, b", "a, a", "a b", ""})
     try
       {

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <iostream>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 using namespace Tribody;
 
@@ -53,6 +55,11 @@ main()
   check("525.4 N/m", "N/m", 525.4);
   check("1 kg/s", "N s/m", 1.);
   check("0.15", "", 0.15);
+  check("+2e-3 m", "m", 2e-3);
+  check("7.84e3 kg m-3", "kg/m^3", 7840.);
+  check("3 N m/(s**-1 rad)", "N m s/rad", 3.);
+  check("0 m", "m", 0.);
+  check("20 degC", "K", 293.15);
 
   refuse("9.525", "m");
   refuse("9.525 kg", "m");
@@ -66,6 +73,61 @@ main()
   refuse("", "m");
   refuse("9 .525 mm", "m");
   refuse("9,525 mm", "m");
+
+  // The reciprocal of the wanted unit, of radians too, which UDUNITS takes for
+  // the number 1; a power of them too many.
+  for (const auto &[text, unit] :
+       std::vector<std::pair<std::string, std::string>>{
+         {"0.139 GPa^-1", "Pa"},
+         {"5.05e-4 N m/mm^3", "Pa^-1"},
+         {"525.4 m/N", "N/m"},
+         {"2 kg^-1", "kg"},
+         {"0 kg^-1", "kg"},
+         {"5 (s)^-1", "s"},
+         {"5 rad^-1", "rad"},
+         {"5 sr", "rad"},
+         {"3 N m rad", "N m/rad"},
+         {"3 rad^-1 s^-1", "rad/s"}})
+    refuse(text, unit);
+  // Numbers that UDUNITS would multiply with, or take for exponents.
+  for (const char *text : {"1'000 g",
+                           "1\"000 g",
+                           "1\u00b0000 g",
+                           "1_000 g",
+                           "1 000 g",
+                           "1.000,5 g",
+                           "1e-3-2 g",
+                           "2..5 g",
+                           "0x10 g",
+                           "1 g 5",
+                           "1 kg/(100 g) kg",
+                           "inf kg",
+                           "-inf kg",
+                           "+-5 kg",
+                           "5 lg(re 1 kg)",
+                           "5 lg(re kg)",
+                           "5 kg @ 3",
+                           "5 s since 2000-01-01",
+                           "",
+                           "5 "})
+    refuse(text, "kg");
+  refuse("5 %", "");
+  refuse("20 degC", "kg");
+  // Too large and too small, before and behind the unit.
+  for (const char *text : {"1e308 Gg",
+                           "1e98 Gg",
+                           "1e-98 ng",
+                           "1e-320 kg",
+                           "1e-999 kg",
+                           "1e101 kg"})
+    refuse(text, "kg");
+  refuse("1e200", "");
+  // Logarithms in each other fill any buffer.
+  std::string nested = "kg";
+  for (unsigned int i = 0; i < 60; ++i)
+    nested = "lg(re " + nested + ")";
+  refuse("0.5 " + nested, "kg");
+  refuse("0.5 lg(re lg(re kg))", "kg");
 
   // What is written reads back to a few roundings of the conversion.
   for (const double value : {9.535e-3, 1. / 3., 5.05e-13, -0.})

@@ -26,19 +26,22 @@ ALLOWED = {
     "surface": {"base"},
     "multibody/elements": {"algebra", "base"},
     "multibody/joints": {"multibody/elements", "surface", "algebra", "base"},
-    "elasticity": {"surface", "algebra", "base"},
+    "gmsh": {"base"},
+    "elasticity": {"gmsh", "surface", "algebra", "base"},
     "geometry": {"surface", "algebra", "base"},
     "contact": {"surface", "algebra", "base"},
     "wear": {"sundials", "surface", "algebra", "base"},
     "output": {"surface", "algebra", "base"},
 }
 ALLOWED["multibody/system"] = ALLOWED["multibody/joints"] | {"multibody/joints"}
+ALLOWED["multibody/assembly"] = ALLOWED["multibody/system"] | {"multibody/system"}
 ALLOWED["multibody/motion"] = ALLOWED["multibody/system"] | {
     "multibody/system",
     "sundials",
 }
 ALLOWED["multibody/following"] = ALLOWED["multibody/system"] | {"multibody/system"}
 ALLOWED["multibody/cycle"] = ALLOWED["multibody/motion"] | {
+    "multibody/assembly",
     "multibody/motion",
     "multibody/following",
 }
@@ -62,6 +65,7 @@ ALLOWED["case"] = {
     "multibody/elements",
     "multibody/joints",
     "multibody/system",
+    "multibody/assembly",
     "multibody/motion",
     "multibody/cycle",
     "base",

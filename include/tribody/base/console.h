@@ -3,9 +3,9 @@
 #ifndef tribody_base_console_h
 #define tribody_base_console_h
 
-#include <boost/iostreams/filtering_stream.hpp>
-
-#include <sstream>
+#include <fstream>
+#include <ostream>
+#include <streambuf>
 #include <string>
 
 namespace Tribody
@@ -14,6 +14,9 @@ namespace Tribody
    * What the user reads while the program runs: written to a stream, the screen
    * for example, and, once open_log() was called, to the log file too. Silent
    * on all ranks but the first.
+   *
+   * A screen that takes no more, a closed pipe for example, ends neither the
+   * run nor the log.
    */
   class Console
   {
@@ -28,6 +31,13 @@ namespace Tribody
     void
     open_log(const std::string &file_name);
 
+    /// Why the log lacks something that was said, or "".
+    const std::string &
+    log_error() const
+    {
+      return buffer.log_error;
+    }
+
     /// The stream to write to.
     std::ostream &
     out()
@@ -36,11 +46,42 @@ namespace Tribody
     }
 
   private:
-    std::ostream &screen;
-    bool          writes;
-    /// For the beginning of the log.
-    std::ostringstream                  said_before_log;
-    boost::iostreams::filtering_ostream stream;
+    /// Passes on all it gets to screen and log.
+    class Buffer : public std::streambuf
+    {
+    public:
+      Buffer(std::ostream &screen, const bool writes);
+
+      void
+      open_log(const std::string &file_name);
+
+      std::string log_error;
+
+    protected:
+      int_type
+      overflow(const int_type c) override;
+
+      std::streamsize
+      xsputn(const char *text, const std::streamsize n) override;
+
+      int
+      sync() override;
+
+    private:
+      /// To the log, which is flushed.
+      void
+      write_to_log(const char *text, const std::streamsize n);
+
+      std::ostream &screen;
+      bool          writes;
+      /// For the beginning of the log.
+      std::string   said_before_log;
+      std::string   log_name;
+      std::ofstream log;
+    };
+
+    Buffer       buffer;
+    std::ostream stream;
   };
 } // namespace Tribody
 

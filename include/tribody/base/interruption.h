@@ -3,19 +3,61 @@
 #ifndef tribody_base_interruption_h
 #define tribody_base_interruption_h
 
+#include <deal.II/base/exceptions.h>
+
+#include <string>
+
 namespace Tribody
 {
+  /// "SIGINT" for 2.
+  std::string
+  name_of_signal(const int signal);
+
   /**
-   * Ask for SIGINT (Ctrl-C) and SIGTERM to be remembered instead of ending the
-   * program, so that a run can write what it has reached. A second signal ends
-   * the program.
+   * A signal has asked the run to stop. It is no ExcRun: nothing has failed
+   * that could be tried in another way. main() answers with exit status 128
+   * plus the number of the signal, as shells do.
+   */
+  class ExcInterrupted : public dealii::ExceptionBase
+  {
+  public:
+    /// @param signal its number.
+    explicit ExcInterrupted(const int signal)
+      : signal(signal)
+    {}
+
+    ~ExcInterrupted() noexcept override = default;
+
+    /// "interrupted by SIGINT".
+    void
+    print_info(std::ostream &out) const override
+    {
+      out << "interrupted by " << name_of_signal(signal) << std::endl;
+    }
+
+    /// Number of the signal.
+    int signal;
+  };
+
+  /**
+   * Ask for SIGINT (Ctrl-C), SIGTERM, SIGHUP (a closed terminal) and SIGUSR1 to
+   * be remembered instead of ending the program, so that a run can write what
+   * it has reached; a line on stderr says so. A second signal ends the program.
+   * SIGPIPE is ignored: who no longer reads what a run says does not mean to
+   * end it.
+   * @param says whether this rank says so.
    */
   void
-  watch_for_interruption();
+  watch_for_interruption(const bool says);
 
-  /// Whether one of the signals has come.
-  bool
-  was_interrupted();
+  /// The signal that has come; 0 for none.
+  int
+  interrupting_signal();
+
+  /// @throws ExcInterrupted if a signal has come. For loops that last; where
+  /// ranks work together it must come to all of them alike.
+  void
+  stop_if_interrupted();
 } // namespace Tribody
 
 #endif

@@ -33,7 +33,8 @@ namespace Tribody
      * that includes them.
      *
      * @param overrides assignments "A/B=value" which win over the file.
-     * @throws ExcInput naming file and line.
+     * @throws ExcInput naming file and line; also for what is no regular file,
+     *   is too long, or includes too many others.
      */
     ParameterFile(const std::string              &file_name,
                   const std::vector<std::string> &overrides = {});
@@ -74,6 +75,11 @@ namespace Tribody
     std::string
     location(const std::string &path) const;
 
+    /// The file that the parameter @p path names, relative to the file in which
+    /// it does so, or to the current directory if that is the command line.
+    std::string
+    file_named_by(const std::string &path) const;
+
   private:
     struct Assignment
     {
@@ -83,11 +89,26 @@ namespace Tribody
       std::string              location;
     };
 
+    /// @param place where it is included, for messages.
     void
-    read(const std::string &file_name, const unsigned int depth);
+    read(const std::string &file_name,
+         const unsigned int depth,
+         const std::string &place);
+
+    void
+    read_line(const std::string &line,
+              const std::string &location,
+              const std::size_t  depth_at_start,
+              const unsigned int depth);
 
     void
     add_override(const std::string &text);
+
+    static std::string
+    joined(const std::vector<std::string> &subsections);
+
+    static std::string
+    path_of(const Assignment &assignment);
 
     const Assignment *
     find(const std::string &path) const;
@@ -95,6 +116,11 @@ namespace Tribody
     std::string              file_name;
     std::vector<Assignment>  assignments;
     std::vector<std::string> open_subsections;
+    unsigned int             n_files = 0;
+    std::size_t              n_bytes = 0;
+    // Places in the list of assignments: the last one that sets a parameter,
+    // and the first one in a subsection.
+    std::map<std::string, std::size_t> last_of_path, first_of_subsection;
   };
 
   /**

@@ -41,8 +41,8 @@ namespace Tribody
     /**
      * Do @p work, which must not communicate, on every rank. If it fails on
      * one, it fails on all of them, so that none waits for another in vain.
-     * @throws whatever it threw here; on the other ranks the message of the
-     *   first one that failed, as ExcInput if it was one, else as ExcRun.
+     * @throws whatever it threw here; elsewhere the message of the first one
+     *   that failed, as ExcInput or ExcInterrupted if so, else as ExcRun.
      */
     void
     run_together(const MPI_Comm              &communicator,

@@ -4,15 +4,24 @@
 #define tribody_base_table_writer_h
 
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace Tribody
 {
+  /// When the rows of a table are on the disk.
+  enum class TableKind
+  {
+    /// All of them together, when finish() returns.
+    whole,
+    /// Each of them when write_row() returns.
+    growing
+  };
+
   /**
    * A CSV file: comment lines behind '#', a header with a unit for each
-   * column ("normal_force [N]"), rows of numbers with all their digits. Every
-   * row is on the disk when write_row() returns.
+   * column ("normal_force [N]"), rows of numbers with all their digits.
    */
   class TableWriter
   {
@@ -24,17 +33,29 @@ namespace Tribody
      */
     TableWriter(const std::string              &file_name,
                 const std::vector<std::string> &comments,
-                const std::vector<std::string> &columns);
+                const std::vector<std::string> &columns,
+                const TableKind                 kind = TableKind::whole);
 
     /// @pre one value per column.
     /// @throws ExcRun if the disk does not take it.
     void
     write_row(const std::vector<double> &values);
 
+    /// Write the file if it is TableKind::whole.
+    /// @throws ExcRun if the disk does not take it.
+    void
+    finish() const;
+
   private:
-    std::string   file_name;
-    std::size_t   n_columns;
-    std::ofstream file;
+    /// To the disk if the table grows.
+    void
+    pass_on();
+
+    std::string        file_name;
+    std::size_t        n_columns;
+    TableKind          kind;
+    std::ostringstream text;
+    std::ofstream      file;
   };
 } // namespace Tribody
 

@@ -116,6 +116,13 @@ namespace Tribody
         return thinnest_wall;
       }
 
+      /// Thickness of the unworn wall at each bore node [m].
+      const Eigen::VectorXd &
+      walls() const
+      {
+        return node_walls;
+      }
+
       /// Whether the compliance has a share of the pin.
       bool
       has_elastic_pin() const
@@ -162,6 +169,8 @@ namespace Tribody
       double                        allowed_change;
       Geometry::WornConfiguration   geometry;
       Elasticity::BushingElasticity elasticity;
+      /// Of the unworn bushing at each bore node [m].
+      Eigen::VectorXd node_walls;
 
       /// Of the hole in an infinite plate; empty with other pressure models.
       Eigen::MatrixXd plate_compliance;

@@ -47,9 +47,17 @@ namespace Tribody
       describe(const double limit) const;
     };
 
-    /// All of them; a new one is an entry here.
+    /// All that can be set; a new one is an entry here.
     const std::vector<JointLimit> &
     joint_limits();
+
+    /// The one that every bushing has: the part of its wall that is gone [-].
+    const JointLimit &
+    worn_through();
+
+    /// When a bushing counts as worn through [-]. What is left is less than the
+    /// errors of the depth, and a mesh must not become flat.
+    constexpr double worn_through_at = 0.999;
   } // namespace Coupling
 } // namespace Tribody
 

@@ -294,6 +294,16 @@ namespace Tribody
         return elastic.wall();
       }
 
+      /// The part of the wall that a bore worn by @p depth [m] has lost where
+      /// that is the largest; one: worn through [-].
+      double
+      lost_wall(const Eigen::VectorXd &depth) const;
+
+      /// Cycles until a bore is worn through that goes on wearing as in
+      /// @p contact; infinite without wear.
+      double
+      cycles_to_wear_through(const CycleContact &contact) const;
+
       /// Whether the compliance of the pin counts, see
       /// BushingParameters::pin_is_elastic().
       bool

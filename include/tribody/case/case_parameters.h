@@ -69,6 +69,11 @@ namespace Tribody
     read_case(const std::string              &file_name,
               const std::vector<std::string> &overrides);
 
+    /// Memory that the case takes on a rank [bytes], as far as it is known
+    /// before meshes are read and contacts found; see memory_estimate.h.
+    double
+    estimate_memory(const CaseParameters &parameters);
+
     /// A parameter file with one entry of every kind, for
     /// --print-parameters.
     std::string

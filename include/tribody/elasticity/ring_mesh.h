@@ -5,6 +5,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <tribody/surface/periodic_profile.h>
+
 #include <string>
 
 namespace dealii
@@ -85,6 +87,12 @@ namespace Tribody
                   const double                 wall,
                   const std::string           &path,
                   dealii::Triangulation<2, 2> &triangulation);
+
+    /// How thick the unworn wall is between the bore of @p inner_radius and the
+    /// rim, over the angle [m].
+    PeriodicProfile
+    wall_thickness(const dealii::Triangulation<2, 2> &triangulation,
+                   const double                       inner_radius);
 
     /// The thinnest place between the bore of @p inner_radius and the vertices
     /// of the rim [m].

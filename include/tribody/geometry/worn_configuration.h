@@ -71,8 +71,8 @@ namespace Tribody
        * Take the shape that belongs to the total wear depth [m] at the bore
        * nodes, counted radially.
        *
-       * @throws ExcRun if a cell would be turned inside out at one of its
-       *   quadrature points or nodes; the shape is then what it was before.
+       * @throws ExcInvertedMesh if a cell would be turned inside out at one of
+       * its quadrature points or nodes; the shape is then what it was before.
        */
       void
       update(const Eigen::VectorXd &wear_depth);

@@ -22,6 +22,9 @@ namespace Tribody
       double max_wear_angle = 0.; ///< of the deepest node [rad]
       double worn_volume    = 0.; ///< [m^3]
       double worn_mass      = 0.; ///< [kg]
+      /// k F s, the wear coefficient times the integral of the normal force
+      /// over the sliding distance [m^3]; 0: the coefficient varies.
+      double archard_volume = 0.;
       /// Of the volume on the mesh against what the wear law has removed [-].
       double volume_balance_relative_error = 0.;
       /// Estimated error that the wear steps have left in the depth of the

@@ -85,6 +85,8 @@ namespace Tribody
        * Run all cycles and write the results to @p directory, the summary last.
        * @throws ExcRun if a part fails; the results up to there and a summary
        *   with the status "failed" are written first.
+       * @throws ExcInterrupted if a signal comes (see
+       * watch_for_interruption()); likewise, with the status "stopped".
        */
       RunResults
       run(Output::OutputDirectory &directory);
@@ -99,9 +101,14 @@ namespace Tribody
       void
       run_cycles(RunRecorder &recorder);
 
-      /// By a signal, which need not reach all ranks at the same moment.
-      bool
-      was_interrupted_anywhere() const;
+      /// A signal need not reach all ranks at the same moment.
+      /// @throws ExcInterrupted on all ranks if it has reached one.
+      void
+      stop_if_interrupted_anywhere() const;
+
+      /// @throws ExcRun if a file has been removed, or the log is incomplete.
+      void
+      check_files(const Output::OutputDirectory &directory) const;
 
       /// One settled cycle of the mechanism with its worn joints, on each rank.
       void
@@ -118,7 +125,8 @@ namespace Tribody
       void
       warn_of_unstable_step();
 
-      /// After a failure: write what has been reached, as far as it goes.
+      /// After a failure or an interruption: write what has been reached, as
+      /// far as it goes.
       void
       keep_results(const Output::OutputDirectory &directory,
                    RunRecorder                   &recorder,

@@ -42,6 +42,8 @@ namespace Tribody
       double settling = 0.;
       /// Of the integrated motion.
       double integration = 0.;
+      /// As friction laws creep where friction holds.
+      double creep = 0.;
 
       /// The means over @p n_cycles if these are integrals.
       DutyErrors
@@ -50,14 +52,15 @@ namespace Tribody
         return {sampling / n_cycles,
                 inertia / n_cycles,
                 settling / n_cycles,
-                integration / n_cycles};
+                integration / n_cycles,
+                creep / n_cycles};
       }
 
       /// All together.
       double
       sum() const
       {
-        return sampling + inertia + settling + integration;
+        return sampling + inertia + settling + integration + creep;
       }
     };
 
@@ -168,6 +171,8 @@ namespace Tribody
       bool all_settled = true;
       /// What the first one that did not go as wished has to say; else empty.
       std::string settling_message;
+      /// Likewise the first one that did not settle.
+      std::string unsettled_message;
     };
 
     /**

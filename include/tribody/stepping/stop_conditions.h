@@ -18,7 +18,8 @@ namespace Tribody
   {
     /**
      * When a run ends before its last cycle: the life of a joint is over
-     * once one of its quantities passes a limit (JointLimit).
+     * once one of its quantities passes a limit (JointLimit), or its bushing is
+     * worn through.
      */
     class StopConditions
     {
@@ -26,7 +27,7 @@ namespace Tribody
       /// @param bushings must outlive this object.
       explicit StopConditions(const std::deque<WearingBushing> &bushings);
 
-      /// One for each limit that is set for a bushing.
+      /// One for each limit that is set for a bushing, and one for its wall.
       unsigned int
       n_conditions() const
       {
@@ -53,6 +54,8 @@ namespace Tribody
         std::size_t       joint;
         const JointLimit *quantity;
         double            limit;
+        /// For the user, without the bushing's name.
+        std::string description;
       };
 
       std::vector<Condition> conditions;

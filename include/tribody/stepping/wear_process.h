@@ -112,6 +112,11 @@ namespace Tribody
       }
 
     private:
+      // A step at most to end whose geometry can be meshed: shorter steps are
+      // tried where it cannot.
+      WearStep
+      advance(double end);
+
       void
       count_rate_evaluations(const unsigned int n);
 

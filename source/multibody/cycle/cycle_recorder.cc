@@ -3,9 +3,11 @@
 #include <deal.II/base/numbers.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
+#include <tribody/multibody/cycle/settling_monitor.h>
 #include <tribody/multibody/motion/energy_account.h>
 #include <tribody/multibody/motion/motion_integrator.h>
 #include <tribody/multibody/system/equations_of_motion.h>
@@ -114,7 +116,8 @@ namespace Tribody
                           const std::vector<JointContact> &joint_contacts,
                           const EquationsOfMotion         &present)
     {
-      check_pins(state.time, joint_contacts);
+      stop_if_interrupted();
+      check_pins(state, joint_contacts);
       times(k) = state.time;
       q.col(k) = state.q;
       v.col(k) = state.v;
@@ -139,89 +142,163 @@ namespace Tribody
 
     void
     CycleRecorder::check_pins(
-      const double                     time,
+      const MechanismState            &state,
       const std::vector<JointContact> &joint_contacts) const
     {
-      for (unsigned int j = 0; j < joint_contacts.size(); ++j)
-        {
-          const ClearanceJoint &joint =
-            equations.mechanism().clearance_joints()[j];
-          const double distance = joint_contacts[j].eccentricity.norm();
-          const double allowed =
-            joint.bushing_radius +
-            std::max(0., distance - joint_contacts[j].penetration);
-          AssertThrow(distance <= allowed,
-                      ExcRun("Joint " + joint.name + ": at time " +
-                             significant_digits(time, 6) +
-                             " s the pin's centre is " +
-                             Units::to_string(distance, "m", "mm") +
-                             " from the bushing's, outside the bore: its "
-                             "contact force law has not held it. Look at "
-                             "loads, speed, radii and moduli"));
-        }
+      // Of the clearance; what integration leaves of rigid surfaces and links
+      // is far below.
+      constexpr double tolerance = 1e-2;
+      const auto       check     = [&](const std::string &name,
+                             const double       distance,
+                             const double       allowed,
+                             const std::string &reason) {
+        AssertThrow(distance <= allowed,
+                    ExcRun("Joint " + name + ": at time " +
+                           significant_digits(state.time, 6) +
+                           " s the pin's centre is " +
+                           Units::to_string(distance, "m", "mm") +
+                           " from the bushing's, outside the bore: " + reason));
+      };
+      for (const JointEntry &joint : equations.mechanism().joints())
+        if (joint.has_contact_law())
+          {
+            const JointContact &contact  = joint_contacts[joint.index];
+            const double        distance = contact.eccentricity.norm();
+            check(joint.name,
+                  distance,
+                  joint.bushing_radius +
+                    std::max(0., distance - contact.penetration),
+                  "its contact force law has not held it. Look at "
+                  "loads, speed, radii and moduli");
+          }
+        else if (joint.link != nullptr)
+          check(
+            joint.name,
+            joint.link->eccentricity(joint.bodies.gather(state.q)).norm(),
+            (1. + tolerance) * joint.link->length,
+            joint.model == JointModel::impact
+              ? "nothing but impacts can hold it there, and the clearance is "
+                "only " +
+                  Units::to_string(joint.link->length, "m", "mm") +
+                  ". They need 'Dynamics/Analysis = dynamic'; there a "
+                  "smaller 'Dynamics/Accuracy' finds more of them"
+              : "its link has a length of only " +
+                  Units::to_string(joint.link->length, "m", "mm") +
+                  ". Use a smaller 'Dynamics/Accuracy'");
     }
 
 
 
-    void
-    CycleRecorder::swap_records(CycleRecorder &other)
+    std::vector<RepeatingQuantity>
+    CycleRecorder::repeating_quantities() const
     {
-      times.swap(other.times);
-      q.swap(other.q);
-      v.swap(other.v);
-      a.swap(other.a);
-      forces.swap(other.forces);
-      reactions.swap(other.reactions);
-      energies.swap(other.energies);
-      contacts.swap(other.contacts);
+      // Without the first record, which the cycle before has as its last: the
+      // very first cycle begins half an interval late and has none.
+      const Eigen::Index             n         = 2 * n_samples;
+      const Mechanism               &mechanism = equations.mechanism();
+      std::vector<RepeatingQuantity> result;
+      const auto                     add = [&](const Eigen::Matrix2Xd &values) {
+        result.push_back({values, values.colwise().norm().maxCoeff()});
+      };
+      const auto is_noise_below =
+        [&](const std::size_t begin, const double part, const double least) {
+          double largest = least;
+          for (std::size_t i = begin; i < result.size(); ++i)
+            largest = std::max(largest, part * result[i].scale);
+          for (std::size_t i = begin; i < result.size(); ++i)
+            if (result[i].scale <= largest)
+              result[i].scale = 0.;
+        };
+      // A joint that carries or turns less than a millionth of the others has
+      // nothing but roundings; a body that moves less than a thousandth has the
+      // vibration of what it stands on.
+      constexpr double noise_of_joints = 1e-6, noise_of_bodies = 1e-3;
+      for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
+        add(force_in_bushing(j).rightCols(n));
+      is_noise_below(0, noise_of_joints, 0.);
+      std::size_t begin = result.size();
+      for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
+        if (mechanism.joints()[j].is_revolute)
+          add(turning_speed(j).rightCols(n));
+      is_noise_below(begin, noise_of_joints, noise_of_joints / period);
+      begin = result.size();
+      for (int b = 0; b < v.rows() / 3; ++b)
+        {
+          Eigen::Matrix2Xd turning = Eigen::Matrix2Xd::Zero(2, n);
+          turning.row(0) = mechanism.size() * v.row(3 * b + 2).rightCols(n);
+          add(turning);
+          add(v.middleRows<2>(3 * b).rightCols(n));
+        }
+      is_noise_below(begin,
+                     noise_of_bodies,
+                     noise_of_joints * mechanism.size() / period);
+      return result;
     }
 
 
 
-    Eigen::Matrix3Xd
-    CycleRecorder::settling_records(const unsigned int joint) const
+    Eigen::Matrix2Xd
+    CycleRecorder::force_in_bushing(const unsigned int joint) const
     {
-      const JointEntry &entry = equations.mechanism().joints()[joint];
-      Eigen::Matrix3Xd  result(3, 2 * n_samples);
-      for (unsigned int k = 0; k < 2 * n_samples; ++k)
-        {
-          // Without the first record, which the cycle before has as its last:
-          // the very first cycle begins half an interval late and has none.
-          const Eigen::Vector2d force = forces.col(k + 1).segment<2>(2 * joint);
-          const double          angle =
-            entry.is_revolute ? angle_of(entry.bodies.second, q, k + 1) : 0.;
-          const BodyPair &bodies = entry.bodies;
-          const auto      speed  = [&](const int body) {
-            return body == ground_body ? 0. : v(3 * body + 2, k + 1);
-          };
-          result.col(k) << turned(force, -angle),
-            entry.is_revolute ? speed(bodies.first) - speed(bodies.second) : 0.;
-        }
+      const JointEntry &entry  = equations.mechanism().joints()[joint];
+      Eigen::Matrix2Xd  result = forces.middleRows<2>(2 * joint);
+      if (entry.is_revolute)
+        for (Eigen::Index k = 0; k < result.cols(); ++k)
+          result.col(k) = turned(Eigen::Vector2d(result.col(k)),
+                                 -angle_of(entry.bodies.second, q, k));
+      return result;
+    }
+
+
+
+    Eigen::Matrix2Xd
+    CycleRecorder::turning_speed(const unsigned int joint) const
+    {
+      const BodyPair  &bodies = equations.mechanism().joints()[joint].bodies;
+      Eigen::Matrix2Xd result = Eigen::Matrix2Xd::Zero(2, v.cols());
+      if (bodies.first != ground_body)
+        result.row(0) += v.row(3 * bodies.first + 2);
+      if (bodies.second != ground_body)
+        result.row(0) -= v.row(3 * bodies.second + 2);
       return result;
     }
 
 
 
     double
-    CycleRecorder::difference(const CycleRecorder &other) const
+    CycleRecorder::scatter_of_wear(const unsigned int n_cycles,
+                                   const unsigned int n) const
     {
       double largest = 0.;
       for (unsigned int j = 0; j < equations.mechanism().joints().size(); ++j)
         {
-          const Eigen::Matrix3Xd now    = settling_records(j);
-          const Eigen::Matrix3Xd change = now - other.settling_records(j);
-          const double force = now.topRows<2>().colwise().norm().maxCoeff();
-          const double speed = now.row(2).cwiseAbs().maxCoeff();
-          if (force > 0)
-            largest =
-              std::max(largest,
-                       change.topRows<2>().colwise().norm().maxCoeff() / force);
-          // A joint that does not turn has nothing but roundings there [rad].
-          if (speed * period > 1e-6)
-            largest =
-              std::max(largest, change.row(2).cwiseAbs().maxCoeff() / speed);
+          if (!equations.mechanism().joints()[j].is_revolute)
+            continue;
+          Eigen::VectorXd wear = Eigen::VectorXd::Zero(n_cycles);
+          for (unsigned int k = 0; k < 2 * n * n_cycles; ++k)
+            wear(k / (2 * n)) +=
+              load(j, k).force *
+              std::abs(relative_angle(j, k + 1) - relative_angle(j, k));
+          largest = std::max(largest, scatter_of_mean(wear));
         }
       return largest;
+    }
+
+
+
+    void
+    CycleRecorder::keep(const unsigned int n, const double its_period)
+    {
+      const Eigen::Index n_records = 2 * n + 1;
+      n_samples                    = n;
+      period                       = its_period;
+      times.conservativeResize(n_records);
+      for (Eigen::MatrixXd *records : {&q, &v, &a, &forces})
+        records->conservativeResize(Eigen::NoChange, n_records);
+      reactions.resize(n_records);
+      energies.resize(n_records);
+      for (std::vector<JointContact> &of_joint : contacts)
+        of_joint.resize(n_records);
     }
 
 

@@ -2,19 +2,23 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/multibody/assembly/assembly_checks.h>
+#include <tribody/multibody/assembly/redundancy.h>
+#include <tribody/multibody/cycle/creep.h>
 #include <tribody/multibody/cycle/cycle_recorder.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/cycle/integrated_cycle.h>
 #include <tribody/multibody/elements/smoothness.h>
 #include <tribody/multibody/following/followed_cycle.h>
 #include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/motion/energy_account.h>
-#include <tribody/multibody/motion/intermittent_motion.h>
-#include <tribody/multibody/system/assembly_checks.h>
+#include <tribody/multibody/system/given_start.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/static_equilibrium.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Tribody
 {
@@ -90,15 +94,28 @@ namespace Tribody
         if (settling.converged)
           return message;
         message += std::string(message.empty() ? "" : "; ") +
-                   "the joint forces or the sliding still changed by " +
+                   "joint forces, sliding or velocities still changed by " +
                    significant_digits(100 * settling.repeat_difference) +
                    " % of the largest one from cycle to cycle after " +
                    std::to_string(settling.n_cycles) + " cycles";
+        if (std::isfinite(settling.distance))
+          message += ", at a rate that leaves " +
+                     significant_digits(100 * settling.distance, 2) +
+                     " % to a motion that repeats";
         if (settling.n_averaged_cycles > 1)
           message += "; the results are over the " +
                      std::to_string(settling.n_averaged_cycles) +
                      " cycles after that";
         return message;
+      }
+      // Gaps may allow what closed joints do not.
+      MechanismParameters
+      close_gaps(const Mechanism &mechanism)
+      {
+        return mechanism.has_only_ideal_joints()
+                 ? mechanism.parameters()
+                 : count_redundant_constraints(
+                     with_ideal_joints(mechanism.parameters()));
       }
     } // namespace
 
@@ -108,7 +125,7 @@ namespace Tribody
                                      const DynamicsParameters &parameters)
       : mechanism(mechanism)
       , parameters(parameters)
-      , closed_mechanism(with_ideal_joints(mechanism.parameters()))
+      , closed_mechanism(close_gaps(mechanism))
       , closed_equations(closed_mechanism, {})
       , period(cycle_duration(mechanism, parameters))
     {
@@ -117,6 +134,10 @@ namespace Tribody
                                         nominal_clearances(mechanism));
       const Eigen::VectorXd   q = assemble_configuration(closed_equations, 0.);
       check_redundancy(equations, q);
+      premises = describe_redundancy(equations, q);
+      if (const std::string change = explain_changed_start(closed_equations, q);
+          !change.empty())
+        premises += (premises.empty() ? "" : "; ") + ("begins where " + change);
       if (!mechanism.has_only_ideal_joints() &&
           closed_mechanism.n_degrees_of_freedom() <= 0)
         check_redundancy(closed_equations, q);
@@ -129,6 +150,20 @@ namespace Tribody
         check_full_cycle(closed_equations,
                          period,
                          2 * parameters.samples_per_cycle);
+      // Whoever says how long a cycle is may want a part of the motion.
+      if (parameters.cycle_duration == 0 && mechanism.has_turning_driver())
+        check_repetition();
+    }
+
+
+
+    void
+    CycleSimulation::check_repetition() const
+    {
+      if (closed_mechanism.n_degrees_of_freedom() == 0)
+        check_return(closed_equations,
+                     period,
+                     2 * parameters.samples_per_cycle);
     }
 
 
@@ -221,7 +256,23 @@ namespace Tribody
     DutyCycle
     CycleSimulation::run(const Clearances &clearances,
                          const Supports   &supports,
-                         const Arcs       &arcs) const
+                         const Arcs       &arcs,
+                         const DutyCycle  *before) const
+    {
+      DutyCycle    cycle   = find_cycle(clearances, supports, arcs, before);
+      std::string &message = cycle.settling.message;
+      if (!premises.empty())
+        message = premises + (message.empty() ? "" : "; ") + message;
+      return cycle;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::find_cycle(const Clearances &clearances,
+                                const Supports   &supports,
+                                const Arcs       &arcs,
+                                const DutyCycle  *before) const
     {
       const EquationsOfMotion equations(mechanism,
                                         collect_clearances(clearances),
@@ -238,11 +289,14 @@ namespace Tribody
         return refine_samples(arcs, [&](const unsigned int n) {
           return run_kinematics(equations, n);
         });
-      return may_follow()
-               ? run_joints_with_gaps(equations,
-                                      reference_scales(supports),
-                                      arcs)
-               : run_dynamics(equations, reference_scales(supports), arcs);
+      return may_follow() ? run_joints_with_gaps(equations,
+                                                 reference_scales(supports),
+                                                 arcs,
+                                                 before)
+                          : run_dynamics(equations,
+                                         reference_scales(supports),
+                                         arcs,
+                                         before);
     }
 
 
@@ -305,7 +359,8 @@ namespace Tribody
     CycleSimulation::run_joints_with_gaps(
       const EquationsOfMotion           &equations,
       const std::vector<ReferenceScale> &scales,
-      const Arcs                        &arcs) const
+      const Arcs                        &arcs,
+      const DutyCycle                   *before) const
     {
       const auto follow = [&](const unsigned int n) {
         return run_following(equations, n);
@@ -321,7 +376,7 @@ namespace Tribody
         {
           reason = message_of(error);
         }
-      DutyCycle    cycle   = run_dynamics(equations, scales, arcs);
+      DutyCycle    cycle   = run_dynamics(equations, scales, arcs, before);
       std::string &message = cycle.settling.message;
       message = "was integrated, as pins do not follow their bores (" + reason +
                 ")" + (message.empty() ? "" : "; ") + message;
@@ -613,149 +668,40 @@ namespace Tribody
       if (parameters.start == MotionStart::centred ||
           mechanism.has_only_ideal_joints())
         return start;
-      if (closed_mechanism.n_degrees_of_freedom() != 0)
+      if (closed_mechanism.n_redundant() > mechanism.n_redundant())
         {
           start.report.message =
-            "with free degrees of freedom there is no start in slow motion; "
-            "the pins began in the middle of their bushings";
+            "with ideal joints the mechanism is overconstrained, so that there "
+            "is no start in slow motion; the pins began in the middle of their "
+            "bushings";
           return start;
         }
-      std::string reason;
-      try
-        {
-          StartingState slow = compute_slow_motion_start(equations,
-                                                         closed_equations,
-                                                         0.,
-                                                         period / 360);
-          if (slow.report.converged)
-            return slow;
-          reason = slow.report.message;
-        }
-      catch (const ExcRun &error)
-        {
-          // The ideal mechanism moves, as the constructor has seen: it is the
-          // offsets of the pins that have grown too large.
-          reason = message_of(error);
-        }
-      start.report.message =
-        "no start in slow motion was found, so that the pins began in the "
-        "middle of their bushings (" +
-        reason + ")";
+      start = compute_slow_motion_start(equations,
+                                        closed_equations,
+                                        0.,
+                                        period / 360);
+      if (!start.report.message.empty())
+        start.report.message +=
+          parameters.maximum_settling_cycles > 0
+            ? "; a motion that settles forgets it"
+            : "; the cycle, which is recorded from the start, has the "
+              "vibration that follows";
       return start;
     }
 
 
 
-    unsigned long
-    CycleSimulation::record_cycles(const double        begins,
-                                   const unsigned int  n_cycles,
-                                   const unsigned int  n,
-                                   IntermittentMotion &integrator,
-                                   CycleRecorder      &recorder) const
+    StartingState
+    CycleSimulation::continue_from(const EquationsOfMotion &equations,
+                                   const MotionEnd         &end) const
     {
-      const unsigned long n_steps   = integrator.statistics().n_steps;
-      const unsigned long n_allowed = static_cast<unsigned long>(n_cycles) *
-                                      parameters.maximum_steps_per_cycle;
-      unsigned long n_taken = 0;
-      for (unsigned int k = 0; k <= 2 * n * n_cycles; ++k)
+      try
         {
-          // The first cycle lacks the half interval before time 0.
-          const double          t = std::max(0., begins + k * period / (2 * n));
-          const MechanismState &state =
-            integrator.advance_to(t, n_allowed, n_taken);
-          recorder.record(k, state, integrator.present_equations());
-          n_taken = integrator.statistics().n_steps - n_steps;
+          return {continue_in_worn_bores(equations, closed_equations, end), {}};
         }
-      return n_taken;
-    }
-
-
-
-    SettlingReport
-    CycleSimulation::settle(IntermittentMotion &integrator,
-                            CycleRecorder      &recorder,
-                            unsigned long      &n_steps_in_cycle) const
-    {
-      const unsigned int n             = parameters.samples_per_cycle;
-      const double       half_interval = period / (2 * n);
-      SettlingReport     settling;
-      settling.n_cycles = 1;
-      if (parameters.maximum_settling_cycles == 0)
+      catch (const ExcRun &)
         {
-          n_steps_in_cycle =
-            record_cycles(-half_interval, 1, n, integrator, recorder);
-          settling.converged = true;
-          return settling;
-        }
-      CycleRecorder before(recorder);
-      record_cycles(-half_interval, 1, n, integrator, before);
-
-      while (true)
-        {
-          n_steps_in_cycle =
-            record_cycles(settling.n_cycles * period - half_interval,
-                          1,
-                          n,
-                          integrator,
-                          recorder);
-          ++settling.n_cycles;
-          settling.repeat_difference = recorder.difference(before);
-          settling.converged =
-            settling.repeat_difference < parameters.settling_tolerance;
-          if (settling.converged ||
-              settling.n_cycles > parameters.maximum_settling_cycles)
-            break;
-          before.swap_records(recorder);
-        }
-      return settling;
-    }
-
-
-
-    DutyCycle
-    CycleSimulation::record_average(const EquationsOfMotion &equations,
-                                    const EnergyAccount     *account,
-                                    const unsigned int       n_cycles_before,
-                                    IntermittentMotion      &integrator) const
-    {
-      const unsigned int n         = parameters.averaged_cycles;
-      const unsigned int n_samples = parameters.samples_per_cycle;
-      CycleRecorder      recorder(equations, n * n_samples, n * period);
-      recorder.set_energy_account(account);
-      const double begins = n_cycles_before * period - period / (2 * n_samples);
-      const unsigned long n_steps =
-        record_cycles(begins, n, n_samples, integrator, recorder);
-      DutyCycle cycle = recorder.make_duty_cycle(integrator.events());
-      cycle.average_over(n);
-      cycle.n_steps_in_cycle = n_steps / n;
-      return cycle;
-    }
-
-
-
-    void
-    CycleSimulation::record_more_samples(const EquationsOfMotion &equations,
-                                         const Arcs              &arcs,
-                                         const EnergyAccount     *account,
-                                         SettlingReport          &settling,
-                                         IntermittentMotion      &integrator,
-                                         DutyCycle               &cycle) const
-    {
-      unsigned int n = parameters.samples_per_cycle;
-      while (needs_more_samples(cycle, arcs, n))
-        {
-          n *= 2;
-          CycleRecorder recorder(equations, n, period);
-          recorder.set_energy_account(account);
-          const unsigned long n_steps =
-            record_cycles(settling.n_cycles * period - period / (2 * n),
-                          1,
-                          n,
-                          integrator,
-                          recorder);
-          ++settling.n_cycles;
-          cycle = recorder.make_duty_cycle(integrator.events());
-          cycle.n_steps_in_cycle = n_steps;
+          return compute_start(equations);
         }
     }
 
@@ -764,78 +710,26 @@ namespace Tribody
     DutyCycle
     CycleSimulation::run_dynamics(const EquationsOfMotion           &equations,
                                   const std::vector<ReferenceScale> &scales,
-                                  const Arcs                        &arcs) const
+                                  const Arcs                        &arcs,
+                                  const DutyCycle *before) const
     {
       MotionTolerances tolerances =
         make_tolerances(mechanism, scales, parameters);
-      tolerances.maximum_step = period / parameters.samples_per_cycle;
-      IntermittentMotion  integrator(equations, tolerances);
-      const StartingState start = compute_start(equations);
-      integrator.start(start.state);
-
-      CycleRecorder recorder(equations, parameters.samples_per_cycle, period);
-      EnergyAccount account(equations);
-      const bool    keeps_account =
-        parameters.energy_balance == EnergyBalance::always;
-      if (keeps_account)
-        {
-          integrator.set_energy_account(&account);
-          recorder.set_energy_account(&account);
-        }
-      SettlingReport settling;
-      DutyCycle      cycle;
-      try
-        {
-          unsigned long n_steps_in_cycle = 0;
-          settling = settle(integrator, recorder, n_steps_in_cycle);
-          if (settling.converged || parameters.averaged_cycles == 1)
-            {
-              cycle = recorder.make_duty_cycle(integrator.events());
-              cycle.n_steps_in_cycle = n_steps_in_cycle;
-              if (settling.converged && settling.n_cycles > 1)
-                record_more_samples(equations,
-                                    arcs,
-                                    keeps_account ? &account : nullptr,
-                                    settling,
-                                    integrator,
-                                    cycle);
-            }
-          else
-            {
-              cycle                      = record_average(equations,
-                                     keeps_account ? &account : nullptr,
-                                     settling.n_cycles,
-                                     integrator);
-              settling.n_averaged_cycles = parameters.averaged_cycles;
-            }
-        }
-      catch (const ExcRun &error)
-        {
-          const MechanismState &last = integrator.state();
-          const std::string     reason =
-            explain_end_of_motion(equations,
-                                  last.time,
-                                  last.time +
-                                    period / parameters.samples_per_cycle,
-                                  last.q);
-          throw ExcRun(message_of(error) +
-                       (reason.empty() ? "" : " Note that" + reason + "."));
-        }
-      settling.message = describe_settling(settling, start.report.message);
-      settling.n_cycles +=
-        settling.n_averaged_cycles > 1 ? settling.n_averaged_cycles : 0;
-
-      cycle.settling         = settling;
-      cycle.constraint_drift = integrator.constraint_drift();
-      // An accuracy of 3e-4 gives forces to 0.1 %.
-      cycle.integration_error = 3. * parameters.accuracy;
-      cycle.statistics        = integrator.statistics();
-      for (unsigned int j = 0; j < cycle.joints.size(); ++j)
-        if (mechanism.joints()[j].has_contact_law())
-          cycle.joints[j].peak_force_since_start =
-            integrator.peak_forces()[mechanism.joints()[j].index];
-        else
-          cycle.joints[j].peak_force_since_start = cycle.joints[j].peak_force();
+      tolerances.maximum_step     = period / parameters.samples_per_cycle;
+      const bool          goes_on = before != nullptr && before->end;
+      const StartingState start   = goes_on
+                                      ? continue_from(equations, *before->end)
+                                      : compute_start(equations);
+      IntegratedCycle     motion(
+        equations, parameters, tolerances, period, start.state);
+      DutyCycle cycle = motion.run(
+        [&](const DutyCycle &recorded, const unsigned int n) {
+          return needs_more_samples(recorded, arcs, n);
+        },
+        !goes_on || before->settling.converged);
+      cycle.settling.message =
+        describe_settling(cycle.settling, start.report.message);
+      judge_creep(mechanism, closed_equations, cycle);
       return cycle;
     }
   } // namespace Multibody

@@ -135,6 +135,19 @@ namespace Tribody
 
 
 
+    double
+    scatter_of_mean(const Eigen::VectorXd &values)
+    {
+      const double n    = values.size();
+      const double mean = values.mean();
+      if (n < 2 || mean == 0.)
+        return 0.;
+      const double variance = (values.array() - mean).square().sum() / (n - 1.);
+      return 2. * std::sqrt(variance / n) / std::abs(mean);
+    }
+
+
+
     void
     DutyCycle::average_over(const unsigned int n)
     {
@@ -152,13 +165,19 @@ namespace Tribody
           joint.sliding_increment /= n;
           joint.sliding_halves /= n;
           const Eigen::VectorXd force = joint.force();
-          Eigen::VectorXd       peaks(n), means(n);
+          Eigen::VectorXd       peaks(n), means(n), wear(n);
           for (unsigned int k = 0; k < n; ++k)
             {
               const auto cycle = force.segment(k * n_samples, n_samples);
               peaks(k)         = cycle.maxCoeff();
               means(k)         = cycle.mean();
+              wear(k) = joint.normal_force.segment(k * n_samples, n_samples)
+                          .dot(joint.sliding_increment.segment(k * n_samples,
+                                                               n_samples));
             }
+          joint.wear_scatter = scatter_of_mean(wear);
+          if (wear.mean() > 0.)
+            joint.wear_trend = std::abs(wear(n - 1) - wear(0)) / wear.mean();
           joint.mean_peak_force      = peaks.mean();
           joint.peak_force_deviation = deviation(peaks);
           joint.mean_force_deviation = deviation(means);

@@ -54,14 +54,18 @@ namespace Tribody
         "m",
         "Where the centre of mass is at the start, roughly: the mechanism is "
         "assembled from there by Newton's method. It decides which of "
-        "several ways to assemble it is taken.");
+        "several ways to assemble it is taken. Where joints and drivers leave "
+        "degrees of freedom, the first bodies of the list keep their angles, "
+        "or "
+        "positions, exactly.");
       Parameters::add_quantity(prm,
                                "Initial angle",
                                initial_angle,
                                "rad",
                                "Angle of the body's x axis at the start, "
                                "counter-clockwise from the global one, "
-                               "roughly.",
+                               "roughly, in the same sense. Whole turns do not "
+                               "count.",
                                "deg");
       Parameters::add_point(prm,
                             "Initial velocity",

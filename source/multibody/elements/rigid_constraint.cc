@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <tribody/multibody/elements/rigid_constraint.h>
+
+#include <cmath>
 
 namespace Tribody
 {
@@ -21,7 +25,9 @@ namespace Tribody
     RigidConstraint::value(const double t, const PairVector &q) const
     {
       Values result = pin.value(t, q);
-      result(2)     = q(5) - q(2) - relative_angle;
+      // Whole turns do not count.
+      result(2) =
+        std::remainder(q(5) - q(2) - relative_angle, 2 * dealii::numbers::PI);
       return result;
     }
 

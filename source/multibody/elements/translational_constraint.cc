@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <tribody/multibody/elements/translational_constraint.h>
+
+#include <cmath>
 
 namespace Tribody
 {
@@ -23,7 +27,9 @@ namespace Tribody
     TranslationalConstraint::value(const double t, const PairVector &q) const
     {
       Values result = line.value(t, q);
-      result(1)     = q(5) - q(2) - relative_angle;
+      // Whole turns do not count.
+      result(1) =
+        std::remainder(q(5) - q(2) - relative_angle, 2 * dealii::numbers::PI);
       return result;
     }
 

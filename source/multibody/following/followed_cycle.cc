@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <tribody/base/interruption.h>
 #include <tribody/multibody/following/followed_cycle.h>
 #include <tribody/multibody/joints/wear_spread.h>
 #include <tribody/multibody/system/equations_of_motion.h>
@@ -167,6 +168,7 @@ namespace Tribody
           Eigen::VectorXd q = q_guess;
           for (std::size_t k = 0; k < times.size(); ++k)
             {
+              stop_if_interrupted();
               cycle.instants.push_back(pins.find(times[k], q, rates[k]));
               q = cycle.instants.back().state.q;
             }

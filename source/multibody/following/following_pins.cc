@@ -52,6 +52,9 @@ namespace Tribody
     FollowingPins::explain_unsuitable(const Mechanism &mechanism,
                                       const Mechanism &closed)
     {
+      if (closed.n_redundant() > mechanism.n_redundant())
+        return "with ideal joints the mechanism is overconstrained, and the "
+               "forces of its pins do not follow from their balance";
       if (closed.n_degrees_of_freedom() != 0)
         return "with ideal joints the mechanism has " +
                std::to_string(closed.n_degrees_of_freedom()) +
@@ -186,9 +189,22 @@ namespace Tribody
       const Eigen::VectorXd         zero = Eigen::VectorXd::Zero(q.size());
       const std::vector<RestingPin> pins =
         rest_pins({q, zero, zero, multipliers});
-      ConstraintOffsets offsets(closed.mechanism().n_constraints());
+      Eigen::Matrix2Xd eccentricities(2, pins.size());
       for (std::size_t p = 0; p < pins.size(); ++p)
-        offsets.value.segment<2>(rows[p]) = pins[p].eccentricity;
+        eccentricities.col(p) = pins[p].eccentricity;
+      return place_at(t, q, eccentricities);
+    }
+
+
+
+    Eigen::VectorXd
+    FollowingPins::place_at(const double            t,
+                            const Eigen::VectorXd  &q,
+                            const Eigen::Matrix2Xd &eccentricities) const
+    {
+      ConstraintOffsets offsets(closed.mechanism().n_constraints());
+      for (std::size_t p = 0; p < rows.size(); ++p)
+        offsets.value.segment<2>(rows[p]) = eccentricities.col(p);
       Eigen::VectorXd    result = q;
       const SolverReport report = solve_positions(closed, t, offsets, result);
       AssertThrow(report.converged,
@@ -324,9 +340,13 @@ namespace Tribody
           if (!joint.has_gap())
             take(joint.index, ideal.joints()[j].index);
           else if (joint.link != nullptr)
-            // Its only multiplier is the force along the link.
-            result(mechanism.constraints()[joint.index].first_row) =
-              reaction(p++, motion.multipliers).norm();
+            {
+              // Its only multiplier is the force along the link.
+              if (!joint.is_flying)
+                result(mechanism.constraints()[joint.index].first_row) =
+                  reaction(p, motion.multipliers).norm();
+              ++p;
+            }
           else
             ++p;
         }
@@ -350,6 +370,14 @@ namespace Tribody
         compute_accelerations(
           closed, instant.state.time, offsets, instant.state.q, zero, zero)
           .multipliers;
+      return reactions(multipliers);
+    }
+
+
+
+    Eigen::Matrix2Xd
+    FollowingPins::reactions(const Eigen::VectorXd &multipliers) const
+    {
       Eigen::Matrix2Xd forces(2, rows.size());
       for (std::size_t p = 0; p < rows.size(); ++p)
         forces.col(p) = reaction(p, multipliers);

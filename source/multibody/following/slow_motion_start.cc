@@ -3,14 +3,18 @@
 #include <Eigen/LU>
 
 #include <tribody/base/exceptions.h>
-#include <tribody/multibody/following/resting_pin.h>
+#include <tribody/base/interruption.h>
+#include <tribody/base/units.h>
+#include <tribody/multibody/following/following_pins.h>
 #include <tribody/multibody/following/slow_motion_start.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 namespace Tribody
 {
@@ -18,6 +22,19 @@ namespace Tribody
   {
     namespace
     {
+      // Of the farthest marker of a body.
+      double
+      lever(const Mechanism &mechanism, const unsigned int body)
+      {
+        double result = 0.;
+        for (const auto &[name, p] :
+             mechanism.parameters().bodies[body].markers)
+          result = std::max(result, p.norm());
+        return result;
+      }
+
+
+
       constexpr int n_times = 5;
       constexpr int centre  = n_times / 2;
 
@@ -44,200 +61,166 @@ namespace Tribody
 
 
 
-      // The search for e(t): see compute_slow_motion_start().
-      class SlowMotionSearch
+      // Turn the velocities of pins at a fixed distance, which differences give
+      // up to their error, along the bores.
+      void
+      keep_distances(const FollowingPins    &pins,
+                     const Eigen::Matrix2Xd &e,
+                     PinRates               &rates)
       {
-      public:
-        SlowMotionSearch(const EquationsOfMotion &equations,
-                         const EquationsOfMotion &closed,
-                         const double             t_0,
-                         const double             spacing);
-
-        StartingState
-        solve();
-
-      private:
-        // Motion at all times with the present e(t) and friction moments.
-        void
-        update_motion();
-
-        // New e(t) from the reactions; returns the largest change relative to
-        // the penetration.
-        double
-        update_eccentricities();
-
-        void
-        update_eccentricity(const unsigned int j, const int k);
-
-        void
-        update_link(const unsigned int j, const int k);
-
-        const EquationsOfMotion &equations;
-        const EquationsOfMotion &closed;
-        const double             t_0;
-        const double             spacing;
-        const TimeMatrix         first;
-        const TimeMatrix         second;
-
-        // One entry per joint that is not ideal: its index among those with
-        // contact forces, or its link if it has none.
-        std::vector<unsigned int>                      contact_indices;
-        std::vector<const MasslessLinkConstraint *>    links;
-        std::vector<unsigned int>                      rows;
-        std::vector<Eigen::Matrix<double, 2, n_times>> e;
-        std::vector<Eigen::Matrix<double, 1, n_times>> penetrations;
-        std::vector<Eigen::VectorXd>                   extra_forces;
-        std::vector<Motion>                            motions;
-      };
-
-
-
-      SlowMotionSearch::SlowMotionSearch(const EquationsOfMotion &equations,
-                                         const EquationsOfMotion &closed,
-                                         const double             t_0,
-                                         const double             spacing)
-        : equations(equations)
-        , closed(closed)
-        , t_0(t_0)
-        , spacing(spacing)
-        , first(differentiation_matrix(1) / spacing)
-        , second(differentiation_matrix(2) / (spacing * spacing))
-      {
-        const Mechanism &mechanism = equations.mechanism();
-        for (unsigned int j = 0; j < mechanism.joints().size(); ++j)
-          if (mechanism.joints()[j].has_gap())
+        const auto &joints = pins.equations_of_motion().mechanism().joints();
+        for (Eigen::Index p = 0; p < e.cols(); ++p)
+          if (joints[pins.joints()[p]].link != nullptr)
             {
-              contact_indices.push_back(mechanism.joints()[j].index);
-              links.push_back(mechanism.joints()[j].link.get());
-              rows.push_back(
-                closed.mechanism()
-                  .constraints()[closed.mechanism().joints()[j].index]
-                  .first_row);
+              const Eigen::Vector2d n = e.col(p).normalized();
+              auto                  v = rates.velocities.col(p);
+              v -= n.dot(v) * n;
             }
-        e.assign(rows.size(), Eigen::Matrix<double, 2, n_times>::Zero());
-        penetrations.assign(rows.size(),
-                            Eigen::Matrix<double, 1, n_times>::Zero());
-        extra_forces.assign(n_times,
-                            Eigen::VectorXd::Zero(mechanism.n_coordinates()));
-        motions.resize(n_times);
-        for (Motion &motion : motions)
-          motion.q = assemble_configuration(closed, t_0);
       }
 
 
 
-      void
-      SlowMotionSearch::update_motion()
+      // By differences of the places at all times.
+      std::array<PinRates, n_times>
+      find_rates(const FollowingPins                         &pins,
+                 const std::array<FollowingInstant, n_times> &instants,
+                 const double                                 spacing)
       {
+        static const TimeMatrix first  = differentiation_matrix(1),
+                                second = differentiation_matrix(2);
+        std::array<PinRates, n_times> rates;
         for (int k = 0; k < n_times; ++k)
           {
-            ConstraintOffsets offsets(closed.mechanism().n_constraints());
-            for (unsigned int j = 0; j < rows.size(); ++j)
+            rates[k] = pins.no_rates();
+            for (int i = 0; i < n_times; ++i)
               {
-                offsets.value.segment<2>(rows[j]) = e[j].col(k);
-                offsets.first_derivative.segment<2>(rows[j]) =
-                  e[j] * first.row(k).transpose();
-                offsets.second_derivative.segment<2>(rows[j]) =
-                  e[j] * second.row(k).transpose();
+                const Eigen::Matrix2Xd &e = instants[i].eccentricities;
+                rates[k].velocities += first(k, i) / spacing * e;
+                rates[k].accelerations +=
+                  second(k, i) / (spacing * spacing) * e;
               }
-            motions[k] = solve_motion(closed,
-                                      t_0 + (k - centre) * spacing,
-                                      offsets,
-                                      extra_forces[k],
-                                      motions[k].q);
+            keep_distances(pins, instants[k].eccentricities, rates[k]);
           }
-      }
-
-
-
-      void
-      SlowMotionSearch::update_link(const unsigned int j, const int k)
-      {
-        const Eigen::Vector2d reaction =
-          motions[k].multipliers.segment<2>(rows[j]);
-        const double force = reaction.norm();
-        e[j].col(k)        = force > 0
-                               ? Eigen::Vector2d(links[j]->length / force * reaction)
-                               : Eigen::Vector2d(links[j]->length, 0.);
-        penetrations[j](k) = links[j]->length;
-      }
-
-
-
-      void
-      SlowMotionSearch::update_eccentricity(const unsigned int j, const int k)
-      {
-        if (links[j] != nullptr)
-          {
-            update_link(j, k);
-            return;
-          }
-        const unsigned int    index = contact_indices[j];
-        const ClearanceJoint &joint =
-          equations.mechanism().clearance_joints()[index];
-        const Motion         &motion   = motions[k];
-        const Eigen::Vector2d reaction = motion.multipliers.segment<2>(rows[j]);
-        const JointContact    contact  = equations.compute_contact(
-          index, motion.q, motion.v, joint.minimum_approach_speed);
-
-        // Far from the solution the rate has no meaning yet, and a law may not
-        // allow a force at large negative ones.
-        const double     rate = std::clamp(contact.penetration_rate,
-                                       -0.5 * joint.minimum_approach_speed,
-                                       0.5 * joint.minimum_approach_speed);
-        const RestingPin pin =
-          find_resting_pin(equations, index, motion, contact, reaction, rate);
-        penetrations[j](k) = pin.penetration;
-        e[j].col(k)        = pin.eccentricity;
-
-        PairVector moments = PairVector::Zero();
-        moments(2)         = pin.moments(0);
-        moments(5)         = pin.moments(1);
-        joint.bodies.add_to(moments, extra_forces[k]);
+        return rates;
       }
 
 
 
       double
-      SlowMotionSearch::update_eccentricities()
+      largest_column(const Eigen::Matrix2Xd &columns)
       {
-        for (Eigen::VectorXd &forces : extra_forces)
-          forces.setZero();
-        double change = 0.;
-        for (unsigned int j = 0; j < rows.size(); ++j)
-          {
-            const Eigen::Matrix<double, 2, n_times> old = e[j];
-            for (int k = 0; k < n_times; ++k)
-              update_eccentricity(j, k);
-            change = std::max(change,
-                              (e[j] - old).colwise().norm().maxCoeff() /
-                                penetrations[j].maxCoeff());
-          }
-        return change;
+        return columns.colwise().norm().maxCoeff();
       }
 
 
 
-      StartingState
-      SlowMotionSearch::solve()
+      // Pins that follow their bores around the time t_0. Throws ExcRun where
+      // their own motion matters too much.
+      FollowingInstant
+      follow_motion(const FollowingPins   &pins,
+                    const double           t_0,
+                    const double           spacing,
+                    const Eigen::VectorXd &q)
       {
-        StartingState          start;
-        SolverReport          &report         = start.report;
-        constexpr unsigned int max_iterations = 100;
-        constexpr double       tolerance      = 1e-8;
-        while (!report.converged && report.n_iterations < max_iterations)
+        constexpr unsigned int max_passes = 30;
+        // Of the forces: what the pins' motion may change them by, and where
+        // the passes end. Second differences over a short time magnify what a
+        // pass changes. With much of it the passes grow, and may end at a
+        // motion of the pins that has nothing to do with that of the mechanism:
+        // each is to change no more than half of what the one before did.
+        constexpr double follows = 0.02, tolerance = 1e-8, shrinks = 0.5;
+
+        std::array<FollowingInstant, n_times> instants;
+        std::array<PinRates, n_times>         rates;
+        rates.fill(pins.no_rates());
+        FollowingInstant best;
+        double           last_change = 0.;
+        for (unsigned int pass = 0; pass < max_passes; ++pass)
           {
-            update_motion();
-            report.residual  = update_eccentricities();
-            report.converged = report.residual < tolerance;
-            ++report.n_iterations;
+            stop_if_interrupted();
+            const Eigen::Matrix2Xd before = instants[centre].reactions;
+            for (int k = 0; k < n_times; ++k)
+              instants[k] = pins.find(t_0 + (k - centre) * spacing,
+                                      pass == 0 ? q : instants[k].state.q,
+                                      rates[k]);
+            if (pass > 0)
+              {
+                const double force = largest_column(before);
+                const double change =
+                  largest_column(instants[centre].reactions - before);
+                AssertThrow(pass > 1 || change <= follows * force,
+                            ExcRun("by their motion in the bores, which the "
+                                   "turning of the forces asks of them, these "
+                                   "would change from " +
+                                   Units::to_string(force, "N", "N") + " by " +
+                                   Units::to_string(change, "N", "N")));
+                if (pass > 1 && change > shrinks * last_change)
+                  return best;
+                best        = instants[centre];
+                last_change = change;
+                if (change <= tolerance * force)
+                  return best;
+              }
+            rates = find_rates(pins, instants, spacing);
           }
-        update_motion();
-        start.state = {t_0, motions[centre].q, motions[centre].v, {}};
-        if (!report.converged)
-          report.message = "the search stopped after " +
-                           std::to_string(report.n_iterations) + " iterations";
-        return start;
+        return best;
+      }
+
+
+
+      // Speeds of the bodies: linear ones and those of their farthest markers.
+      double
+      largest_speed(const Mechanism &mechanism, const Eigen::VectorXd &v)
+      {
+        double largest = 0.;
+        for (unsigned int b = 0; b < mechanism.parameters().bodies.size(); ++b)
+          largest = std::max({largest,
+                              v.segment<2>(3 * b).norm(),
+                              lever(mechanism, b) * std::abs(v(3 * b + 2))});
+        return largest;
+      }
+
+
+
+      // Why pins that sit as at start are none to begin with, beside the motion
+      // of the mechanism with ideal joints; empty if they are.
+      std::string
+      find_fault(const FollowingPins    &pins,
+                 const FollowingInstant &start,
+                 const Motion           &ideal,
+                 const Eigen::Matrix2Xd &ideal_reactions)
+      {
+        const Mechanism &mechanism = pins.equations_of_motion().mechanism();
+        // What offsets of the pins do to a motion is as much as they are of the
+        // shortest body, and more where the mechanism translates it; and to
+        // forces friction adds to it.
+        constexpr double translation = 5., of_friction = 0.25;
+        double           shortest = mechanism.size();
+        for (unsigned int b = 0; b < mechanism.parameters().bodies.size(); ++b)
+          if (lever(mechanism, b) > 0.)
+            shortest = std::min(shortest, lever(mechanism, b));
+        const double share =
+          translation * start.eccentricities.colwise().norm().sum() / shortest;
+
+        const double speed =
+          std::max(largest_speed(mechanism, ideal.v),
+                   std::sqrt(shortest * largest_speed(mechanism, ideal.a)));
+        const double change = largest_speed(mechanism, start.state.v - ideal.v);
+        if (change > share * speed)
+          return "bodies would begin with velocities " +
+                 Units::to_string(change, "m/s", "m/s") +
+                 " off those with ideal joints";
+        const double           force = largest_column(ideal_reactions);
+        const Eigen::Matrix2Xd off   = start.reactions - ideal_reactions;
+        for (Eigen::Index p = 0; p < off.cols(); ++p)
+          if (!(off.col(p).norm() <= (share + of_friction) * force))
+            return "the force of joint '" +
+                   mechanism.joints()[pins.joints()[p]].name + "' would be " +
+                   Units::to_string(start.reactions.col(p).norm(), "N", "N") +
+                   " instead of the " +
+                   Units::to_string(ideal_reactions.col(p).norm(), "N", "N") +
+                   " of an ideal joint";
+        return "";
       }
 
 
@@ -319,7 +302,65 @@ namespace Tribody
                               const double             t_0,
                               const double             spacing)
     {
-      return SlowMotionSearch(equations, closed, t_0, spacing).solve();
+      const FollowingPins pins(equations, closed);
+      const Mechanism    &ideal_mechanism = closed.mechanism();
+      StartingState       start;
+      std::string         reasons;
+      if (ideal_mechanism.n_degrees_of_freedom() < 0)
+        reasons = "the forces of ideal joints are not determined";
+      else
+        {
+          const Eigen::VectorXd q = assemble_configuration(closed, t_0);
+          const Motion          ideal =
+            solve_motion(closed,
+                         t_0,
+                         ConstraintOffsets(ideal_mechanism.n_constraints()),
+                         Eigen::VectorXd::Zero(ideal_mechanism.n_coordinates()),
+                         q);
+          const Eigen::Matrix2Xd reactions = pins.reactions(ideal.multipliers);
+          // Whether it has been accepted.
+          const auto try_start = [&](const auto &find) {
+            try
+              {
+                const FollowingInstant instant = find();
+                const std::string      fault =
+                  find_fault(pins, instant, ideal, reactions);
+                if (fault.empty())
+                  {
+                    start.state            = instant.state;
+                    start.report.converged = true;
+                    return true;
+                  }
+                reasons += (reasons.empty() ? "" : "; ") + fault;
+              }
+            catch (const ExcRun &error)
+              {
+                reasons += (reasons.empty() ? "" : "; ") + message_of(error);
+              }
+            return false;
+          };
+          // A free motion is known at its beginning only.
+          if (ideal_mechanism.n_degrees_of_freedom() == 0 &&
+              try_start([&]() { return follow_motion(pins, t_0, spacing, q); }))
+            return start;
+          const bool has_other_start =
+            try_start([&]() { return pins.find(t_0, q, pins.no_rates()); });
+          if (has_other_start)
+            {
+              if (!reasons.empty())
+                start.report.message =
+                  "the pins began at rest in their bores, where their forces "
+                  "press them, as they cannot follow (" +
+                  reasons + ")";
+              return start;
+            }
+        }
+      start = compute_centred_start(equations, closed, t_0);
+      start.report.message =
+        "the pins began in the middle of their bushings, as no place at the "
+        "bores was found to start from (" +
+        reasons + ")";
+      return start;
     }
   } // namespace Multibody
 } // namespace Tribody

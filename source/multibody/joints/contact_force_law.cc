@@ -19,7 +19,8 @@ namespace Tribody
         return compute_hertz_stiffness(joint.pin_radius,
                                        joint.bushing_radius,
                                        joint.pin_material,
-                                       joint.bushing_material);
+                                       joint.bushing_material,
+                                       joint.radii_combination);
       }
 
 
@@ -303,18 +304,37 @@ namespace Tribody
 
 
     double
-    compute_hertz_stiffness(const double    pin_radius,
-                            const double    bushing_radius,
-                            const Material &pin,
-                            const Material &bushing)
+    compute_hertz_stiffness(const double           pin_radius,
+                            const double           bushing_radius,
+                            const Material        &pin,
+                            const Material        &bushing,
+                            const RadiiCombination radii)
     {
-      const auto compliance = [](const Material &material) {
+      const double combined   = radii == RadiiCombination::sum
+                                  ? pin_radius + bushing_radius
+                                  : bushing_radius - pin_radius;
+      const auto   compliance = [](const Material &material) {
         return (1 - material.poissons_ratio * material.poissons_ratio) /
                material.youngs_modulus;
       };
       return 4. / (3. * (compliance(pin) + compliance(bushing))) *
-             std::sqrt(pin_radius * bushing_radius /
-                       (pin_radius + bushing_radius));
+             std::sqrt(pin_radius * bushing_radius / combined);
+    }
+
+
+
+    std::optional<double>
+    find_hertz_stiffness(const ContactForceLaw &law)
+    {
+      if (const auto *hertz = std::get_if<HertzLaw>(&law))
+        return hertz->stiffness;
+      if (const auto *lankarani = std::get_if<LankaraniNikraveshLaw>(&law))
+        return lankarani->stiffness;
+      if (const auto *hunt = std::get_if<HuntCrossleyLaw>(&law))
+        return hunt->stiffness;
+      if (const auto *flores = std::get_if<FloresLaw>(&law))
+        return flores->stiffness;
+      return {};
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -14,6 +14,9 @@ namespace Tribody
     namespace
     {
       constexpr double infinity = std::numeric_limits<double>::infinity();
+      // Parts of v_0 at which tanh, and part of the friction of slipping at
+      // which that of a law with memory, is one for all that matters.
+      constexpr double saturated = 3., nearly_all = 0.99;
 
 
 
@@ -52,6 +55,15 @@ namespace Tribody
 
 
 
+    bool
+    NoFriction::holds(const double /*sliding_speed*/,
+                      const double /*ratio*/) const
+    {
+      return false;
+    }
+
+
+
     RegularisedCoulombFriction
     RegularisedCoulombFriction::make(const JointParameters &joint)
     {
@@ -75,6 +87,16 @@ namespace Tribody
     RegularisedCoulombFriction::transition_speed() const
     {
       return coefficient > 0 ? regularisation_speed : infinity;
+    }
+
+
+
+    bool
+    RegularisedCoulombFriction::holds(const double sliding_speed,
+                                      const double /*ratio*/) const
+    {
+      return coefficient > 0 &&
+             std::abs(sliding_speed) < saturated * regularisation_speed;
     }
 
 
@@ -109,6 +131,15 @@ namespace Tribody
     AmbrosioFriction::transition_speed() const
     {
       return coefficient > 0 ? upper_speed - lower_speed : infinity;
+    }
+
+
+
+    bool
+    AmbrosioFriction::holds(const double sliding_speed,
+                            const double /*ratio*/) const
+    {
+      return coefficient > 0 && std::abs(sliding_speed) < upper_speed;
     }
 
 
@@ -160,6 +191,16 @@ namespace Tribody
     StribeckFriction::transition_speed() const
     {
       return curve.static_coefficient > 0 ? regularisation_speed : infinity;
+    }
+
+
+
+    bool
+    StribeckFriction::holds(const double sliding_speed,
+                            const double /*ratio*/) const
+    {
+      return curve.static_coefficient > 0 &&
+             std::abs(sliding_speed) < saturated * regularisation_speed;
     }
 
 
@@ -222,6 +263,14 @@ namespace Tribody
 
 
     bool
+    LuGreFriction::holds(const double sliding_speed, const double ratio) const
+    {
+      return std::abs(ratio) < nearly_all * curve.value(sliding_speed);
+    }
+
+
+
+    bool
     has_state(const FrictionLaw &law)
     {
       return std::holds_alternative<LuGreFriction>(law);
@@ -274,6 +323,18 @@ namespace Tribody
     {
       return std::visit(
         [](const auto &chosen) { return chosen.transition_speed(); }, law);
+    }
+
+
+
+    bool
+    friction_holds(const FrictionLaw &law,
+                   const double       sliding_speed,
+                   const double       ratio)
+    {
+      return std::visit(
+        [&](const auto &chosen) { return chosen.holds(sliding_speed, ratio); },
+        law);
     }
   } // namespace Multibody
 } // namespace Tribody

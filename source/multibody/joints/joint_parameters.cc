@@ -83,6 +83,20 @@ namespace Tribody
           "of the dynamics and pressures of the wear are one model then.");
         Parameters::add_choice(
           prm,
+          "Radii of contact stiffness",
+          p.radii_combination,
+          "What R is in the constant K of 'Hertz', 'Lankarani-Nikravesh', "
+          "'Hunt-Crossley' and 'Flores', K = 4/(3 (h_i + h_j)) sqrt(R_i R_j/R) "
+          "with h = (1 - nu^2)/E of pin and bushing. 'sum': R = R_i + R_j, as "
+          "printed in Mukras et al. (2010), eq. 10, whose results it "
+          "reproduces. 'difference': R = R_j - R_i, the radius of the bore "
+          "counted negative, as Lankarani and Nikravesh and Flores have it for "
+          "a pin in a bore; K is larger by sqrt((R_j + R_i)/(R_j - R_i)), 6 "
+          "times for a clearance of 5 % of the radius. Both are of spheres; "
+          "'elastic foundation' and 'finite element' know the length of the "
+          "joint. K is printed, and in summary.json in N/m^1.5.");
+        Parameters::add_choice(
+          prm,
           "Worn contact geometry",
           p.worn_contact_geometry,
           "What delta and the direction of contact are in a worn joint. "

@@ -61,7 +61,8 @@ namespace Tribody
                                  compute_hertz_stiffness(p.pin_radius,
                                                          p.bushing_radius,
                                                          p.pin_material,
-                                                         p.bushing_material);
+                                                         p.bushing_material,
+                                                         RadiiCombination::sum);
             AssertThrow(
               p.contact_stiffness > 0,
               ExcParameter(
@@ -76,6 +77,14 @@ namespace Tribody
                                p.contact_damping,
                                "N s/m");
           }
+        AssertThrow(
+          p.radii_combination == RadiiCombination::sum || p.clearance() > 0,
+          ExcParameter(path + "/Radii of contact stiffness",
+                       "'difference' needs a bushing radius above the pin "
+                       "radius of " +
+                         Units::to_string(p.pin_radius, "m", "mm") +
+                         ": without clearance the contact law's K has no "
+                         "bound"));
         if (p.contact_force_law.is<ElasticFoundationLaw>())
           {
             check_positive(path + "/Foundation length",

@@ -118,10 +118,12 @@ namespace Tribody
           "Settling tolerance",
           p.settling_tolerance,
           "",
-          "A motion counts as settled when the joint forces, seen from the "
-          "bushing, differ from those of the cycle before by less than this "
-          "part of the largest force, and the speeds at which pins turn in "
-          "their bushings likewise.");
+          "A motion counts as settled when it is nearer than this to one that "
+          "repeats: joint forces, seen from the bushing, speeds at which pins "
+          "turn in their bushings, and velocities of bodies, each relative to "
+          "its largest. The distance follows from the changes of the last two "
+          "cycles and the rate at which they decay; a change below a "
+          "thousandth of this counts as none.");
         Parameters::add_integer(
           prm,
           "Maximum settling cycles",
@@ -137,12 +139,12 @@ namespace Tribody
           "Averaged cycles",
           p.averaged_cycles,
           "If the motion does not repeat within the settling tolerance: number "
-          "of cycles that are recorded after that. All their samples make up "
-          "the "
-          "duty cycle, each with its share of one cycle's sliding; means are "
-          "over "
-          "all of them, and their scatter from cycle to cycle is reported. 1 "
-          "takes the last cycle as it is.",
+          "of cycles that are recorded after that, at most: from five on, they "
+          "end when twice the standard error of the mean of normal force times "
+          "sliding is within the settling tolerance. All their samples make up "
+          "the duty cycle, each with its share of one cycle's sliding; means "
+          "are over all of them, and their scatter from cycle to cycle is "
+          "reported. 1 takes the last cycle as it is.",
           1,
           10000);
         Parameters::add_integer(prm,
@@ -168,12 +170,15 @@ namespace Tribody
         "Start",
         start,
         "How a mechanism with clearance joints starts. 'slow motion': with "
-        "every pin touching its bushing, such that contact and friction "
-        "forces balance the motion without vibration; where no such start is "
-        "found, as 'centred', which is reported. 'centred': with every pin in "
-        "the middle of its bushing, so that the first contact is an impact. "
-        "'static equilibrium': any mechanism, in the position in which forces "
-        "and contacts balance.");
+        "every pin at its bore where the force of its joint presses it, moving "
+        "along it such that nothing vibrates; where that cannot be, as where a "
+        "force reverses, or with degrees of freedom, at rest there while the "
+        "bodies have the velocities of ideal joints; and where velocities or "
+        "forces would be far from those of ideal joints even so, as 'centred'. "
+        "What it comes to is reported, unless nothing vibrates. 'centred': "
+        "with every pin in the middle of its bushing, so that the first "
+        "contact is an impact. 'static equilibrium': any mechanism, in the "
+        "position in which forces and contacts balance.");
       Parameters::add_choice(
         prm,
         "Energy balance",

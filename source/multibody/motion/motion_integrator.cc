@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/multibody/motion/energy_account.h>
 #include <tribody/multibody/motion/motion_integrator.h>
@@ -300,6 +301,18 @@ namespace Tribody
 
 
 
+    bool
+    MotionIntegrator::goes_outside(const ImpactJoint     &joint,
+                                   const Eigen::VectorXd &y) const
+    {
+      const BodyPair  &bodies = joint.link->bodies;
+      const PairVector q      = bodies.gather(y.head(n));
+      return joint.compute_penetration(q) > 0. &&
+             joint.normal_row(q).dot(bodies.gather(y.segment(n, n))) > 0.;
+    }
+
+
+
     void
     MotionIntegrator::record_step(const std::vector<int> &roots)
     {
@@ -333,11 +346,17 @@ namespace Tribody
           restart_is_pending     = restart_is_pending || roots[j] > 0;
         }
       // A flying pin hits where its penetration rises through zero, a following
-      // one flies where its force falls through it.
+      // one flies where its force falls through it. One that begins at the bore
+      // may be outside by rounding already, and then nothing rises through
+      // zero.
       for (unsigned int k = 0; k < mechanism.impact_joints().size(); ++k)
-        if (roots[n_contacts + k] ==
-            (mechanism.impact_joints()[k].is_following ? -1 : 1))
-          the_stops.push_back(k);
+        {
+          const ImpactJoint &joint = mechanism.impact_joints()[k];
+          const int          root  = roots[n_contacts + k];
+          if (joint.is_following ? root == -1
+                                 : root == 1 || goes_outside(joint, y))
+            the_stops.push_back(k);
+        }
       stop_is_pending = !the_stops.empty();
     }
 
@@ -400,6 +419,7 @@ namespace Tribody
       unsigned long n_steps = n_steps_before;
       while (ida->time() < t && !stop_is_pending)
         {
+          stop_if_interrupted();
           book_energy(ida->time());
           if (restart_is_pending)
             {

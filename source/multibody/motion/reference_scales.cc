@@ -131,8 +131,13 @@ namespace Tribody
         matrix.topRightCorner(n, m) = matrix.bottomLeftCorner(m, n).transpose();
         Eigen::MatrixXd forces      = Eigen::MatrixXd::Zero(n + m, 2);
         forces.topRows(n)           = e_q.transpose();
-        const Eigen::Matrix2d inverse_mass =
-          e_q * matrix.partialPivLu().solve(forces).topRows(n);
+        // Redundant constraints leave it singular, and what is asked unique.
+        Eigen::MatrixXd solution;
+        if (mechanism.n_redundant() > 0)
+          solution = matrix.fullPivLu().solve(forces);
+        else
+          solution = matrix.partialPivLu().solve(forces);
+        const Eigen::Matrix2d inverse_mass = e_q * solution.topRows(n);
         return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(inverse_mass)
           .eigenvalues()
           .maxCoeff();

@@ -71,6 +71,19 @@ namespace Tribody
 
 
 
+    Eigen::VectorXd
+    compute_constraint_scales(const Mechanism &mechanism)
+    {
+      Eigen::VectorXd scales = Eigen::VectorXd::Ones(mechanism.n_constraints());
+      for (const auto &[constraint, row] : mechanism.constraints())
+        for (unsigned int i = 0; i < constraint->n_equations; ++i)
+          if (constraint->is_angle(i))
+            scales(row + i) = mechanism.size();
+      return scales;
+    }
+
+
+
     Eigen::MatrixXd
     compute_scaled_jacobian(const EquationsOfMotion &equations,
                             const Eigen::VectorXd   &q)
@@ -81,7 +94,7 @@ namespace Tribody
       equations.assemble_constraint_jacobian(q, jacobian);
       for (unsigned int i = 2; i < mechanism.n_coordinates(); i += 3)
         jacobian.col(i) /= mechanism.size();
-      return jacobian;
+      return compute_constraint_scales(mechanism).asDiagonal() * jacobian;
     }
 
 
@@ -102,14 +115,14 @@ namespace Tribody
           const auto &[constraint, row] = mechanism.constraints()[c];
           const bool is_light = open == nullptr ? !mechanism.is_driver(c)
                                                 : constraint.get() == open;
-          for (unsigned int i = 0; i < constraint->n_equations; ++i)
-            weights(row + i) =
-              (is_light ? 1. : heavy) * (constraint->is_angle(i) ? size : 1.);
+          weights.segment(row, constraint->n_equations)
+            .setConstant(is_light ? 1. : heavy);
         }
-      const auto gaps = [&](const Eigen::VectorXd &q) {
+      const Eigen::VectorXd scales = compute_constraint_scales(mechanism);
+      const auto            gaps   = [&](const Eigen::VectorXd &q) {
         Eigen::VectorXd phi(weights.size());
         equations.assemble_constraints(t, q, phi);
-        return Eigen::VectorXd(weights.cwiseProduct(phi));
+        return Eigen::VectorXd(weights.cwiseProduct(scales).cwiseProduct(phi));
       };
 
       Eigen::VectorXd q = q_guess, r = gaps(q);

@@ -6,6 +6,8 @@
 #include <tribody/multibody/system/mechanism.h>
 #include <tribody/multibody/system/mechanism_state.h>
 
+#include <algorithm>
+
 namespace Tribody
 {
   namespace Multibody
@@ -131,6 +133,26 @@ namespace Tribody
 
 
 
+    Eigen::VectorXd
+    EquationsOfMotion::compute_compliances() const
+    {
+      // Under the weight of the heaviest body, this part of the size.
+      constexpr double part = 1e-10, gravity = 9.81;
+      const double     size = system.size();
+      double           mass = 0.;
+      for (const BodyParameters &body : system.parameters().bodies)
+        mass =
+          std::max({mass, body.mass, body.moment_of_inertia / size / size});
+      Eigen::VectorXd compliances(system.n_constraints());
+      for (const auto &[element, row] : system.constraints())
+        for (unsigned int i = 0; i < element->n_equations; ++i)
+          compliances(row + i) = part * size / (mass * gravity) /
+                                 (element->is_angle(i) ? size * size : 1.);
+      return compliances;
+    }
+
+
+
     void
     EquationsOfMotion::assemble_constraint_terms(const double t,
                                                  ConstVector  q,
@@ -158,6 +180,11 @@ namespace Tribody
           bodies.add_to(PairVector(-jacobian.transpose() *
                                    element->gather(mu, row)),
                         rates);
+        }
+      if (system.n_redundant() > 0)
+        {
+          phi -= compute_compliances().cwiseProduct(lambda);
+          phi_rate -= compute_compliances().cwiseProduct(mu);
         }
     }
 
@@ -216,6 +243,15 @@ namespace Tribody
               first.mu + row + k,
               first.q,
               entries);
+        }
+      if (system.n_redundant() > 0)
+        {
+          const Eigen::VectorXd compliances = compute_compliances();
+          for (Eigen::Index i = 0; i < compliances.size(); ++i)
+            {
+              entries.add(first.lambda + i, first.lambda + i, -compliances(i));
+              entries.add(first.mu + i, first.mu + i, -compliances(i));
+            }
         }
     }
 

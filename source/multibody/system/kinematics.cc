@@ -5,13 +5,20 @@
 #include <Eigen/SparseLU>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/solver_report.h>
 #include <tribody/multibody/system/constraint_gaps.h>
 #include <tribody/multibody/system/equations_of_motion.h>
+#include <tribody/multibody/system/given_start.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
 #include <tribody/multibody/system/mechanism_state.h>
+#include <tribody/multibody/system/sparse_jacobian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace Tribody
 {
@@ -19,22 +26,93 @@ namespace Tribody
   {
     namespace
     {
-      // The shortest x with Phi_q x = right_hand_side, or the best one.
+      // The same as solve_least_norm() for large mechanisms whose constraints
+      // are independent; returns whether this is one.
+      bool
+      solve_least_norm_sparsely(const EquationsOfMotion &equations,
+                                const Eigen::VectorXd   &q,
+                                const Eigen::VectorXd   &right_hand_side,
+                                Eigen::VectorXd         &x)
+      {
+        if (right_hand_side.size() <= largest_dense_jacobian)
+          return false;
+        Eigen::VectorXd scales = Eigen::VectorXd::Ones(q.size());
+        for (Eigen::Index i = 2; i < q.size(); i += 3)
+          scales(i) = 1. / equations.mechanism().size();
+        const Eigen::SparseMatrix<double> scaled =
+          compute_sparse_jacobian(equations, q) * scales.asDiagonal();
+        if (!solve_least_norm(scaled, right_hand_side, x))
+          return false;
+        x = scales.cwiseProduct(x);
+        return true;
+      }
+
+
+
+      // Metres per unit of each coordinate.
+      Eigen::VectorXd
+      compute_coordinate_scales(const Mechanism &mechanism)
+      {
+        Eigen::VectorXd scales =
+          Eigen::VectorXd::Ones(mechanism.n_coordinates());
+        for (unsigned int i = 2; i < mechanism.n_coordinates(); i += 3)
+          scales(i) = mechanism.size();
+        return scales;
+      }
+
+
+
+      // The shortest x with A x = b, or the best one.
+      Eigen::VectorXd
+      solve_least_norm(const Eigen::MatrixXd &a,
+                       const Eigen::VectorXd &b,
+                       const double           threshold = 1e-10)
+      {
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+        solver.setThreshold(threshold);
+        solver.compute(a);
+        return solver.solve(b);
+      }
+
+
+
+      // The shortest x with Phi_q x = right_hand_side, or the best one, where a
+      // coordinate of small mobility counts as far as it moves all the same.
       Eigen::VectorXd
       solve_least_norm(const EquationsOfMotion &equations,
                        const Eigen::VectorXd   &q,
-                       const Eigen::VectorXd   &right_hand_side)
+                       const Eigen::VectorXd   &right_hand_side,
+                       const Eigen::VectorXd   &mobility = {})
       {
         const Mechanism &mechanism = equations.mechanism();
         if (mechanism.n_constraints() == 0)
           return Eigen::VectorXd::Zero(mechanism.n_coordinates());
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-        solver.setThreshold(1e-10);
-        solver.compute(compute_scaled_jacobian(equations, q));
-        Eigen::VectorXd x = solver.solve(right_hand_side);
-        for (unsigned int i = 2; i < mechanism.n_coordinates(); i += 3)
-          x(i) /= mechanism.size();
-        return x;
+        Eigen::VectorXd x;
+        if (mobility.size() == 0 &&
+            solve_least_norm_sparsely(equations, q, right_hand_side, x))
+          return x;
+        Eigen::MatrixXd jacobian = compute_scaled_jacobian(equations, q);
+        if (mobility.size() > 0)
+          jacobian *= mobility.asDiagonal();
+        x = solve_least_norm(jacobian,
+                           compute_constraint_scales(mechanism).cwiseProduct(
+                             right_hand_side));
+        if (mobility.size() > 0)
+          x = mobility.cwiseProduct(x);
+        return x.cwiseQuotient(compute_coordinate_scales(mechanism));
+      }
+
+
+
+      // What rounding of the coordinates leaves of Phi, in lengths.
+      double
+      compute_rounding(const Mechanism &mechanism, const Eigen::VectorXd &q)
+      {
+        const double largest =
+          std::max(mechanism.size(),
+                   q.cwiseProduct(compute_coordinate_scales(mechanism))
+                     .lpNorm<Eigen::Infinity>());
+        return 100. * std::numeric_limits<double>::epsilon() * largest;
       }
 
 
@@ -71,31 +149,83 @@ namespace Tribody
 
 
 
-      // x in (M, Phi_q^T; Phi_q, 0) x = right_hand_side.
+      // Each multiplied by the scales of its row and its column.
+      class ScaledEntries : public MatrixEntries
+      {
+      public:
+        ScaledEntries(MatrixEntries &entries, const Eigen::VectorXd &scales)
+          : entries(entries)
+          , scales(scales)
+        {}
+
+        void
+        add(const Eigen::Index row,
+            const Eigen::Index column,
+            const double       value) override
+        {
+          entries.add(row, column, scales(row) * scales(column) * value);
+        }
+
+      private:
+        MatrixEntries         &entries;
+        const Eigen::VectorXd &scales;
+      };
+
+
+
+      // Scales that make masses and constraints of a mechanism of any size
+      // numbers near one.
+      Eigen::VectorXd
+      compute_saddle_point_scales(const Mechanism &mechanism)
+      {
+        const Eigen::VectorXd lengths = compute_coordinate_scales(mechanism);
+        const double          mass =
+          mechanism.masses().cwiseQuotient(lengths.cwiseAbs2()).maxCoeff();
+        const double    root = mass > 0. ? std::sqrt(mass) : 1.;
+        Eigen::VectorXd scales(mechanism.n_coordinates() +
+                               mechanism.n_constraints());
+        scales << (root * lengths).cwiseInverse(),
+          root * compute_constraint_scales(mechanism);
+        return scales;
+      }
+
+
+
+      // x in (M, Phi_q^T; Phi_q, 0) x = right_hand_side. Multipliers that are
+      // not unique, of redundant constraints, are those of least norm.
       Eigen::VectorXd
       solve_saddle_point(const EquationsOfMotion &equations,
                          const Eigen::VectorXd   &q,
                          const Eigen::VectorXd   &right_hand_side)
       {
-        const Eigen::Index     size   = right_hand_side.size();
-        const Eigen::VectorXd &masses = equations.mechanism().masses();
+        const Mechanism       &mechanism = equations.mechanism();
+        const Eigen::Index     size      = right_hand_side.size();
+        const Eigen::VectorXd &masses    = mechanism.masses();
+        const Eigen::VectorXd  scales = compute_saddle_point_scales(mechanism);
         const auto             add_to = [&](MatrixEntries &entries) {
+          ScaledEntries scaled(entries, scales);
           for (Eigen::Index i = 0; i < masses.size(); ++i)
-            entries.add(i, i, masses(i));
-          equations.add_constraint_jacobian(q, masses.size(), entries);
+            scaled.add(i, i, masses(i));
+          equations.add_constraint_jacobian(q, masses.size(), scaled);
         };
-        if (size <= largest_dense_system)
+        const Eigen::VectorXd right = scales.cwiseProduct(right_hand_side);
+        const bool            is_singular = mechanism.n_redundant() > 0;
+        if (size <= largest_dense_system || is_singular)
           {
             Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
             DenseEntries    entries(matrix);
             add_to(entries);
-            return matrix.partialPivLu().solve(right_hand_side);
+            if (is_singular)
+              // Light bodies are no redundancy.
+              return scales.cwiseProduct(
+                solve_least_norm(matrix, right, 1e-14));
+            return scales.cwiseProduct(matrix.partialPivLu().solve(right));
           }
         Triplets entries;
         add_to(entries);
         const Eigen::SparseLU<Eigen::SparseMatrix<double>> decomposition(
           entries.matrix(size));
-        return decomposition.solve(right_hand_side);
+        return scales.cwiseProduct(decomposition.solve(right));
       }
     } // namespace
 
@@ -113,34 +243,38 @@ namespace Tribody
     solve_positions(const EquationsOfMotion &equations,
                     const double             t,
                     const ConstraintOffsets &offsets,
-                    Eigen::VectorXd         &q)
+                    Eigen::VectorXd         &q,
+                    const Eigen::VectorXd   &mobility)
     {
+      // Every search for a position goes through here.
+      stop_if_interrupted();
       const Mechanism &mechanism = equations.mechanism();
       SolverReport     report;
       Eigen::VectorXd  phi(mechanism.n_constraints());
-      const double     size = mechanism.size();
-      // Converged where a further step no longer improves on rounding.
-      for (; report.n_iterations < 100; ++report.n_iterations)
+      report.converged              = phi.size() == 0;
+      const double          size    = mechanism.size();
+      const Eigen::VectorXd scales  = compute_constraint_scales(mechanism);
+      const Eigen::VectorXd lengths = compute_coordinate_scales(mechanism);
+      // Ends where a further step no longer improves on rounding.
+      double before = std::numeric_limits<double>::max();
+      for (; phi.size() > 0 && report.n_iterations < 100; ++report.n_iterations)
         {
           equations.assemble_constraints(t, q, phi);
           phi -= offsets.value;
-          report.residual  = phi.lpNorm<Eigen::Infinity>() / size;
-          report.converged = report.residual < 1e-12;
-          if (report.residual < 1e-15 || phi.size() == 0)
+          const double gap = phi.cwiseProduct(scales).lpNorm<Eigen::Infinity>();
+          report.residual  = gap / size;
+          report.converged =
+            gap < std::max(1e-12 * size, compute_rounding(mechanism, q));
+          if (report.residual < 1e-15 || (report.converged && gap > before / 2))
             break;
-          Eigen::VectorXd step   = -solve_least_norm(equations, q, phi);
-          const double    length = step.norm();
+          before               = gap;
+          Eigen::VectorXd step = -solve_least_norm(equations, q, phi, mobility);
+          const double    length = step.cwiseProduct(lengths).norm();
           // Far from a solution a full step may turn a body over.
           if (length > size)
             step *= size / length;
           q += step;
-          if (report.converged && length < 1e-14 * size)
-            break;
-          if (report.converged && report.n_iterations > 20)
-            break;
         }
-      if (phi.size() == 0)
-        report.converged = true;
       if (!report.converged)
         report.message = "Newton's method for the positions did not converge";
       return report;
@@ -163,18 +297,29 @@ namespace Tribody
 
 
     Eigen::VectorXd
-    compute_initial_velocities(const EquationsOfMotion &equations,
+    compute_nearest_velocities(const EquationsOfMotion &equations,
                                const double             t,
-                               const Eigen::VectorXd   &q)
+                               const Eigen::VectorXd   &q,
+                               const Eigen::VectorXd   &v)
     {
       const Mechanism   &mechanism = equations.mechanism();
       const unsigned int m         = mechanism.n_constraints();
       Eigen::VectorXd    phi_t(m), phi_tt(m);
       equations.assemble_time_derivatives(t, phi_t, phi_tt);
-      Eigen::MatrixXd phi_q(m, mechanism.n_coordinates());
-      equations.assemble_constraint_jacobian(q, phi_q);
-      const Eigen::VectorXd &v = mechanism.initial_velocities();
+      const Eigen::SparseMatrix<double> phi_q =
+        compute_sparse_jacobian(equations, q);
       return v + solve_least_norm(equations, q, -phi_t - phi_q * v);
+    }
+
+
+
+    Eigen::VectorXd
+    compute_initial_velocities(const EquationsOfMotion &equations,
+                               const double             t,
+                               const Eigen::VectorXd   &q)
+    {
+      return compute_nearest_velocities(
+        equations, t, q, equations.mechanism().initial_velocities());
     }
 
 
@@ -260,7 +405,13 @@ namespace Tribody
                        "before: " +
                        worst.description + " " + worst.problem);
         }
-      motion.v = compute_velocities(equations, t, offsets, motion.q);
+      if (equations.mechanism().n_degrees_of_freedom() <= 0)
+        motion.v = compute_velocities(equations, t, offsets, motion.q);
+      else
+        // The offsets' own, and the rest as it is wished for.
+        motion.v =
+          compute_initial_velocities(equations, t, motion.q) +
+          solve_least_norm(equations, motion.q, offsets.first_derivative);
       Eigen::VectorXd forces(motion.q.size());
       equations.assemble_forces(t, motion.q, motion.v, {}, forces);
       forces += extra_forces;
@@ -278,17 +429,18 @@ namespace Tribody
     {
       const Mechanism        &mechanism = equations.mechanism();
       const ConstraintOffsets none(mechanism.n_constraints());
-      Eigen::VectorXd         q      = mechanism.initial_coordinates();
-      const SolverReport      report = solve_positions(equations, t, none, q);
+      Eigen::VectorXd         given = mechanism.initial_coordinates();
+      turn_to_drivers(mechanism, t, given);
+      Eigen::VectorXd    q      = given;
+      const SolverReport report = solve_positions(equations, t, none, q);
       if (report.converged)
-        return q;
-      q = find_smallest_gaps(equations, t, mechanism.initial_coordinates());
+        return hold_given_coordinates(equations, t, given, q);
+      q = find_smallest_gaps(equations, t, given);
       if (solve_positions(equations, t, none, q).converged)
-        return q;
+        return hold_given_coordinates(equations, t, given, q);
 
-      const OpenConstraint worst =
-        find_open_constraint(equations, t, mechanism.initial_coordinates());
-      std::string hint;
+      const OpenConstraint worst = find_open_constraint(equations, t, given);
+      std::string          hint;
       if (!mechanism.drivers().empty())
         hint = ", and can the driven bodies be where the drivers want them (" +
                describe_drivers(mechanism, t) + ")";

@@ -96,16 +96,17 @@ namespace Tribody
     {
       if (name == "ground")
         return ground_body;
-      std::vector<std::string> names = {"ground"};
-      for (unsigned int i = 0; i < the_parameters.bodies.size(); ++i)
-        if (the_parameters.bodies[i].name == name)
-          return i;
-        else
-          names.push_back(the_parameters.bodies[i].name);
+      const auto &bodies = the_parameters.bodies;
+      const auto  found =
+        std::find_if(bodies.begin(), bodies.end(), [&name](const auto &body) {
+          return body.name == name;
+        });
+      if (found != bodies.end())
+        return static_cast<int>(found - bodies.begin());
 
-      std::string valid;
-      for (const std::string &candidate : names)
-        valid += (valid.empty() ? "" : ", ") + candidate;
+      std::string valid = "ground";
+      for (const BodyParameters &body : bodies)
+        valid += ", " + body.name;
       AssertThrow(false,
                   ExcParameter(path,
                                "there is no body '" + name +
@@ -166,9 +167,24 @@ namespace Tribody
           for (const auto &[name, position] : body.markers)
             the_size = std::max(the_size, position.norm());
         }
-      // A single body that turns about its centre of mass has no length.
       if (the_size == 0)
-        the_size = 1.;
+        the_size = find_distance();
+    }
+
+
+
+    double
+    Mechanism::find_distance() const
+    {
+      double distance = 0.;
+      for (const auto &[name, position] : the_parameters.ground.markers)
+        distance = std::max(distance, position.norm());
+      for (const BodyParameters &body : the_parameters.bodies)
+        distance = std::max(distance, body.initial_position.norm());
+      for (const SpringParameters &spring : the_parameters.springs)
+        distance = std::max(distance, spring.reference_length);
+      // A single body that turns about its centre of mass has no length.
+      return distance > 0. ? distance : 1.;
     }
 
 

@@ -4,7 +4,9 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/multibody/system/constraint_gaps.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
@@ -42,6 +44,8 @@ namespace Tribody
         double          least_stiffness = 0.;
         double          stiffness_scale = 0.;
         Eigen::VectorXd softest_direction;
+        // What rounding of coordinates and reactions leaves of the forces [N].
+        double rounding = 0.;
 
         double
         residual() const
@@ -190,26 +194,35 @@ namespace Tribody
         balance.forces      = applied_forces(q).cwiseProduct(inverse_scales);
         balance.force_scale = compute_force_scale(q);
 
-        Eigen::MatrixXd phi_q(m, n);
-        equations.assemble_constraint_jacobian(q, phi_q);
         const Eigen::MatrixXd columns =
-          (phi_q * inverse_scales.asDiagonal()).transpose();
+          compute_scaled_jacobian(equations, q).transpose();
+        // Of forces: multipliers of angles are moments.
+        Eigen::VectorXd multipliers;
         if (m == 0)
           {
-            balance.free        = Eigen::MatrixXd::Identity(n, n);
-            balance.multipliers = Eigen::VectorXd();
+            balance.free = Eigen::MatrixXd::Identity(n, n);
           }
         else
           {
             Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(columns);
             decomposition.setThreshold(1e-10);
             const Eigen::MatrixXd basis = decomposition.householderQ();
-            balance.free        = basis.rightCols(n - decomposition.rank());
-            balance.multipliers = decomposition.solve(balance.forces);
+            balance.free = basis.rightCols(n - decomposition.rank());
+            // Of least norm where they are not unique.
+            multipliers = mechanism.n_redundant() > 0
+                            ? columns.completeOrthogonalDecomposition()
+                                .solve(balance.forces)
+                                .eval()
+                            : decomposition.solve(balance.forces).eval();
+            balance.multipliers =
+              multipliers.cwiseProduct(compute_constraint_scales(mechanism));
           }
         balance.free_forces = balance.free.transpose() * balance.forces;
         if (balance.free.cols() == 0)
           return balance;
+        constexpr double epsilon = 10 * std::numeric_limits<double>::epsilon();
+        balance.rounding =
+          epsilon * (balance.force_scale + multipliers.lpNorm<1>());
 
         // Of the Jacobian of a motion, the block of forces by coordinates.
         Eigen::MatrixXd jacobian =
@@ -233,6 +246,8 @@ namespace Tribody
         balance.least_stiffness   = eigen.eigenvalues()(0);
         balance.stiffness_scale   = eigen.eigenvalues().cwiseAbs().maxCoeff();
         balance.softest_direction = eigen.eigenvectors().col(0);
+        balance.rounding += epsilon * balance.stiffness_scale *
+                            q.cwiseProduct(scales).lpNorm<Eigen::Infinity>();
         return balance;
       }
 
@@ -257,8 +272,7 @@ namespace Tribody
           applied_forces(q_new).cwiseQuotient(scales);
         const double work = moved.dot(balance.forces + forces_new) / 2;
         // At the end, forces are rounding and their work has no sign.
-        const double rounding = 1e-14 * balance.force_scale * moved.norm();
-        if (work < -rounding)
+        if (work < -balance.rounding * moved.norm())
           return false;
         q = q_new;
         return true;
@@ -317,7 +331,8 @@ namespace Tribody
                                   const double           shift,
                                   const Eigen::VectorXd &step) const
       {
-        if (balance.residual() < tolerance)
+        if (balance.residual() < tolerance ||
+            balance.free_forces.norm() < balance.rounding)
           return true;
         // Stiff contacts: rounding of the positions leaves forces.
         return shift == 0. && step.norm() < 1e-14 * mechanism.size() &&
@@ -339,6 +354,7 @@ namespace Tribody
         for (; report.n_iterations < max_iterations && std::isfinite(sigma);
              ++report.n_iterations)
           {
+            stop_if_interrupted();
             const double    shift = compute_shift(balance, sigma);
             Eigen::VectorXd step  = compute_step(balance, shift);
             if (has_converged(balance, shift, step))

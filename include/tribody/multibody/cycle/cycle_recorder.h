@@ -18,6 +18,7 @@ namespace Tribody
     class EquationsOfMotion;
     struct Accelerations;
     struct ContactEvent;
+    struct RepeatingQuantity;
 
     /**
      * Turns the states of one cycle into a DutyCycle. It wants them at 2 n + 1
@@ -64,16 +65,20 @@ namespace Tribody
         record(k, state, accelerations, joint_contacts, equations);
       }
 
-      /// Exchange what has been recorded with @p other, of the same mechanism
-      /// and the same times.
-      void
-      swap_records(CycleRecorder &other);
+      /// What is to repeat if the motion has settled: forces of joints in the
+      /// frames of their bushings, speeds at which pins turn in them,
+      /// velocities of bodies.
+      std::vector<RepeatingQuantity>
+      repeating_quantities() const;
 
-      /// Largest difference of a joint force, in the frame of the bushing, to
-      /// the one that @p other has recorded, relative to the joint's largest
-      /// force; and likewise of the angular speed between pin and bushing.
+      /// scatter_of_mean() of normal force times sliding, the largest of all
+      /// joints, over the first @p n_cycles of @p n samples each.
       double
-      difference(const CycleRecorder &other) const;
+      scatter_of_wear(const unsigned int n_cycles, const unsigned int n) const;
+
+      /// Forget all but the first @p n samples, a cycle of @p its_period [s].
+      void
+      keep(const unsigned int n, const double its_period);
 
       /// @p events: contact events of the whole motion, which began at time
       /// @p begin [s].
@@ -89,15 +94,18 @@ namespace Tribody
              const std::vector<JointContact> &joint_contacts,
              const EquationsOfMotion         &present);
 
-      // What is to repeat of a joint, a column per record but the first: force
-      // in the frame of the bushing [N] and angular speed of the pin in it
+      // A column per record [N].
+      Eigen::Matrix2Xd
+      force_in_bushing(const unsigned int joint) const;
+
+      // Of the pin in its bushing, a column per record, in the first row
       // [rad/s].
-      Eigen::Matrix3Xd
-      settling_records(const unsigned int joint) const;
+      Eigen::Matrix2Xd
+      turning_speed(const unsigned int joint) const;
 
       // Throws ExcRun if the centre of a pin is outside its bore.
       void
-      check_pins(const double                     time,
+      check_pins(const MechanismState            &state,
                  const std::vector<JointContact> &joint_contacts) const;
 
       std::vector<JointContact>
@@ -156,8 +164,8 @@ namespace Tribody
       relative_angle(const unsigned int joint, const unsigned int k) const;
 
       const EquationsOfMotion &equations;
-      const unsigned int       n_samples;
-      const double             period;
+      unsigned int             n_samples;
+      double                   period;
       const EnergyAccount     *energy_account = nullptr;
 
       // One column per record.

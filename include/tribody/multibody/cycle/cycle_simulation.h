@@ -17,13 +17,10 @@ namespace Tribody
 {
   namespace Multibody
   {
-    class CycleRecorder;
-    class EnergyAccount;
-    class IntermittentMotion;
     struct Accelerations;
     struct MechanismState;
     struct DutyCycle;
-    struct SettlingReport;
+    struct MotionEnd;
     struct StartingState;
 
     /**
@@ -75,12 +72,21 @@ namespace Tribody
        * result.
        * @param supports of all joints under FiniteElementLaw.
        * @param arcs decide how many samples the sampling tolerance asks for.
+       * @param before another cycle of this mechanism, in bores that have worn
+       *   since: an integrated motion goes on where that ended. The null
+       *   pointer: it starts.
        * @throws ExcRun if the integration fails.
        */
       DutyCycle
       run(const Clearances &clearances = {},
           const Supports   &supports   = {},
-          const Arcs       &arcs       = {}) const;
+          const Arcs       &arcs       = {},
+          const DutyCycle  *before     = nullptr) const;
+
+      /// Make sure that a motion which the drivers prescribe repeats with the
+      /// cycle, as wear takes for granted. @throws ExcParameter.
+      void
+      check_repetition() const;
 
       /// Of the joints as manufactured.
       std::vector<ReferenceScale>
@@ -99,6 +105,13 @@ namespace Tribody
       // That what they prescribe has a velocity, at least.
       void
       check_drivers() const;
+
+      // What run() does but for the premises.
+      DutyCycle
+      find_cycle(const Clearances &clearances,
+                 const Supports   &supports,
+                 const Arcs       &arcs,
+                 const DutyCycle  *before) const;
 
       // Nothing but constraints is asked.
       bool
@@ -162,45 +175,19 @@ namespace Tribody
       DutyCycle
       run_joints_with_gaps(const EquationsOfMotion           &equations,
                            const std::vector<ReferenceScale> &scales,
-                           const Arcs                        &arcs) const;
+                           const Arcs                        &arcs,
+                           const DutyCycle                   *before) const;
 
       DutyCycle
       run_dynamics(const EquationsOfMotion           &equations,
                    const std::vector<ReferenceScale> &scales,
-                   const Arcs                        &arcs) const;
+                   const Arcs                        &arcs,
+                   const DutyCycle                   *before) const;
 
-      // Go through cycles of n samples, one or as many as recorder is made for;
-      // returns the integration steps taken.
-      unsigned long
-      record_cycles(const double        begins,
-                    const unsigned int  n_cycles,
-                    const unsigned int  n,
-                    IntermittentMotion &integrator,
-                    CycleRecorder      &recorder) const;
-
-      // Go through cycles until one repeats the one before; the last is left
-      // in recorder.
-      SettlingReport
-      settle(IntermittentMotion &integrator,
-             CycleRecorder      &recorder,
-             unsigned long      &n_steps_in_cycle) const;
-
-      // Go on from a settled cycle with twice as many samples and more, as far
-      // as the sampling tolerance asks for it.
-      void
-      record_more_samples(const EquationsOfMotion &equations,
-                          const Arcs              &arcs,
-                          const EnergyAccount     *account,
-                          SettlingReport          &settling,
-                          IntermittentMotion      &integrator,
-                          DutyCycle               &cycle) const;
-
-      // Record as many cycles as are to be averaged, from where settle() ended.
-      DutyCycle
-      record_average(const EquationsOfMotion &equations,
-                     const EnergyAccount     *account,
-                     const unsigned int       n_cycles_before,
-                     IntermittentMotion      &integrator) const;
+      // In the bores as they are now; anew where that fails.
+      StartingState
+      continue_from(const EquationsOfMotion &equations,
+                    const MotionEnd         &end) const;
 
       // In static equilibrium, or in slow motion if asked for and possible,
       // else centred; the message of its report says why.
@@ -212,6 +199,8 @@ namespace Tribody
       const Mechanism          closed_mechanism;
       const EquationsOfMotion  closed_equations;
       const double             period;
+      // What to say of the mechanism and its start with every cycle.
+      std::string premises;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -6,11 +6,13 @@
 #include <Eigen/Core>
 
 #include <tribody/multibody/cycle/contact_interval.h>
+#include <tribody/multibody/following/continued_motion.h>
 #include <tribody/multibody/joints/wear_spread.h>
 #include <tribody/multibody/motion/energy_record.h>
 #include <tribody/sundials/ida_integrator.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,7 +108,19 @@ namespace Tribody
       /// many as samples.
       Eigen::VectorXd sliding_halves;
 
-      /// If several cycles were recorded: the mean of their peak forces [N].
+      /// If friction holds the joint: what it has crept instead [m], which is
+      /// not in the sliding. See judge_creep().
+      double creep_distance = 0.;
+      /// Otherwise the part of the sliding that is creep [-].
+      double creep_share = 0.;
+
+      /// If several cycles were recorded: twice the standard error of the mean
+      /// of normal force times sliding, relative to it [-].
+      double wear_scatter = 0.;
+      /// Likewise how much that product differs in the last cycle from the
+      /// first [-].
+      double wear_trend = 0.;
+      /// Likewise the mean of their peak forces [N].
       double mean_peak_force = 0.;
       /// Likewise the standard deviation of the peak force from cycle to cycle
       /// [N].
@@ -191,14 +205,24 @@ namespace Tribody
       double relative_error_since_start = 0.;
     };
 
+    /// Twice the standard error of the mean of independent @p values, relative
+    /// to the mean [-]: about 95 of 100 such means are nearer to the true one.
+    double
+    scatter_of_mean(const Eigen::VectorXd &values);
+
     /// How the motion came to repeat itself.
     struct SettlingReport
     {
       /// Cycles that were run, the recorded one included.
       unsigned int n_cycles = 0;
-      /// Largest change of a joint force from the cycle before, relative to
-      /// that joint's largest force [-].
+      /// Largest change of what is to repeat from the cycle before, relative
+      /// [-]: SettlingMonitor::difference().
       double repeat_difference = 0.;
+      /// How far the motion still is from one that repeats, relative [-]:
+      /// SettlingMonitor::distance(). Infinite if nothing decays.
+      double distance = 0.;
+      /// SettlingMonitor::decay() [-].
+      double decay = 0.;
       /// Whether that is within DynamicsParameters::settling_tolerance, or
       /// nothing had to settle.
       bool converged = false;
@@ -246,6 +270,8 @@ namespace Tribody
       /// Largest entry of Phi at any integration step since the start of the
       /// motion [m, rad].
       double constraint_drift = 0.;
+      /// Where an integrated motion ended, for the next one to go on from.
+      std::optional<MotionEnd> end;
       /// Costs of the whole motion, all cycles included; zero without
       /// integration.
       Sundials::IntegratorStatistics statistics;

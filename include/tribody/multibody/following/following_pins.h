@@ -55,9 +55,11 @@ namespace Tribody
      * this takes a few rounds, however stiff the contact is.
      *
      * How the pins move in their bores is an argument: follow_cycle() finds it.
+     * With degrees of freedom bodies have the velocities nearest to their
+     * initial ones, which holds at the beginning only.
      *
-     * The end of a massless link rests in the direction of the reaction at the
-     * distance of the clearance.
+     * The end of a massless link, or a pin that has impacts, rests in the
+     * direction of the reaction at the distance of the clearance.
      */
     class FollowingPins
     {
@@ -96,6 +98,19 @@ namespace Tribody
       place(const double           t,
             const Eigen::VectorXd &q,
             const Eigen::VectorXd &multipliers) const;
+
+      /// The configuration near @p q at time @p t [s] with pins at the given
+      /// @p eccentricities in global axes [m], a column per joint with a gap.
+      /// @throws ExcRun if there is none.
+      Eigen::VectorXd
+      place_at(const double            t,
+               const Eigen::VectorXd  &q,
+               const Eigen::Matrix2Xd &eccentricities) const;
+
+      /// Of the closed mechanism's @p multipliers the forces of pins on
+      /// bushings [N], a column per joint with a gap.
+      Eigen::Matrix2Xd
+      reactions(const Eigen::VectorXd &multipliers) const;
 
       /// By how much the reactions at @p instant change [N], a column per joint
       /// with a gap, if the pins have the further accelerations @p e_tt

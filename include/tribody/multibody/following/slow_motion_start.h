@@ -17,7 +17,8 @@ namespace Tribody
     {
       /// At the time t_0; it fulfils the constraints.
       MechanismState state;
-      /// Its message says why a start without vibration was not found.
+      /// Its message says why it is not without vibration; empty if it is, or
+      /// was not asked to be.
       SolverReport report;
     };
 
@@ -30,17 +31,15 @@ namespace Tribody
                           const double             t_0);
 
     /**
-     * A start without vibration. With each pin at a prescribed eccentricity
-     * e(t), the mechanism has no degree of freedom, and its reactions follow
-     * from inverse dynamics. The e(t) is sought at which contact and friction
-     * laws give just these reactions: at five times around @p t_0, so that e'
-     * and e'' are known by differentiation, and all clearance joints at once.
-     * The iteration contracts because the contact is much stiffer than the
-     * motion is fast. It need not where forces reverse or bores are worn: then
-     * the report says that it has not converged. Pins of massless links and of
-     * joints with impacts are sought at the distance of the clearance, in the
-     * direction of the reaction. @throws ExcRun if the
-     * mechanism has no position with the pins at such an e(t).
+     * A start with pins at their bores where the forces of the joints press
+     * them, as FollowingPins. Without degrees of freedom they follow: they are
+     * sought at five times around @p t_0, so that their motion in the bores is
+     * known by differences, and nothing vibrates. Where that motion would
+     * change the forces, as those that reverse or turn fast, or with degrees of
+     * freedom, whose motion is not known before it is integrated, they rest in
+     * their bores while the bodies have the velocities of ideal joints. Where
+     * not even that is a state near the motion of ideal joints, in velocities
+     * and forces, the start is centred. The message of the report says so.
      *
      * @param equations with clearance joints; @param closed with ideal ones.
      * @param spacing of the five times [s], a small part of a cycle.

@@ -3,8 +3,10 @@
 #ifndef tribody_multibody_joints_contact_force_law_h
 #define tribody_multibody_joints_contact_force_law_h
 
+#include <tribody/base/choice.h>
 #include <tribody/base/law_choice.h>
 
+#include <optional>
 #include <variant>
 
 namespace Tribody
@@ -289,17 +291,41 @@ namespace Tribody
     double
     compute_layer_modulus(const Material &material);
 
+    /// How the radii of pin and bore make the one of compute_hertz_stiffness().
+    enum class RadiiCombination
+    {
+      /// R_i + R_j: the surfaces bend away from each other.
+      sum,
+      /// R_j - R_i: the bore bends around the pin.
+      difference
+    };
+
+    /// Their words, see ChoiceNames.
+    inline ChoiceNames<RadiiCombination>
+    choice_names(const RadiiCombination)
+    {
+      return {{RadiiCombination::sum, "sum"},
+              {RadiiCombination::difference, "difference"}};
+    }
+
     /**
-     * Stiffness K [N/m^1.5] of two spheres of radii R_i and R_j, the convex one
-     * in the hollow: @f$ K = \frac{4}{3(h_i+h_j)}
-     * \sqrt{\frac{R_i R_j}{R_i+R_j}} @f$, @f$ h = (1-\nu^2)/E @f$; eq. (10) of
-     * @cite mukras2010, with the sum of the radii as printed there.
+     * Stiffness K [N/m^1.5] of two spheres of radii R_i and R_j,
+     * @f$ K = \frac{4}{3(h_i+h_j)} \sqrt{\frac{R_i R_j}{R}} @f$,
+     * @f$ h = (1-\nu^2)/E @f$. With the sum of the radii, R = R_i + R_j, as
+     * eq. (10) of @cite mukras2010 is printed, they touch from outside; with
+     * the difference, R = R_j - R_i, the first lies in the hollow of the
+     * second, as @cite lankarani1990 and @cite flores2011 have it.
      */
     double
-    compute_hertz_stiffness(const double    pin_radius,
-                            const double    bushing_radius,
-                            const Material &pin,
-                            const Material &bushing);
+    compute_hertz_stiffness(const double           pin_radius,
+                            const double           bushing_radius,
+                            const Material        &pin,
+                            const Material        &bushing,
+                            const RadiiCombination radii);
+
+    /// K [N/m^1.5] of a law in delta^1.5, or nothing.
+    std::optional<double>
+    find_hertz_stiffness(const ContactForceLaw &law);
   } // namespace Multibody
 } // namespace Tribody
 

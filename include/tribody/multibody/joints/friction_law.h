@@ -52,6 +52,12 @@ namespace Tribody
       /// Sliding speed [m/s] over which friction takes its sign: infinite.
       double
       transition_speed() const;
+
+      /// Whether a joint that slides at @p sliding_speed under this @p ratio of
+      /// friction to normal force is held, where Coulomb's friction would
+      /// stick: never.
+      bool
+      holds(const double sliding_speed, const double ratio) const;
     };
 
     /// Coulomb's law made smooth, @f$ F_\mu = \mu F_N \tanh(v_t/v_0) @f$.
@@ -77,6 +83,12 @@ namespace Tribody
       /// v_0 [m/s]; infinite if mu is zero.
       double
       transition_speed() const;
+
+      /// Whether a joint that slides at @p sliding_speed under this @p ratio of
+      /// friction to normal force is held, where Coulomb's friction would
+      /// stick: below 3 v_0, where friction lacks 0.5 %.
+      bool
+      holds(const double sliding_speed, const double ratio) const;
     };
 
     /**
@@ -110,6 +122,12 @@ namespace Tribody
       /// v_1 - v_0 [m/s]; infinite if mu is zero.
       double
       transition_speed() const;
+
+      /// Whether a joint that slides at @p sliding_speed under this @p ratio of
+      /// friction to normal force is held, where Coulomb's friction would
+      /// stick: below v_1.
+      bool
+      holds(const double sliding_speed, const double ratio) const;
     };
 
     /**
@@ -162,6 +180,12 @@ namespace Tribody
       /// v_0 [m/s]; infinite if mu_s is zero.
       double
       transition_speed() const;
+
+      /// Whether a joint that slides at @p sliding_speed under this @p ratio of
+      /// friction to normal force is held, where Coulomb's friction would
+      /// stick: below 3 v_0, where friction lacks 0.5 %.
+      bool
+      holds(const double sliding_speed, const double ratio) const;
     };
 
     /**
@@ -207,6 +231,12 @@ namespace Tribody
       /// speed acts through the damping.
       double
       transition_speed() const;
+
+      /// Whether a joint that slides at @p sliding_speed under this @p ratio of
+      /// friction to normal force is held, where Coulomb's friction would
+      /// stick: where friction is not yet that of slipping.
+      bool
+      holds(const double sliding_speed, const double ratio) const;
     };
 
     /**
@@ -247,6 +277,13 @@ namespace Tribody
     /// Sliding speed [m/s] over which friction takes its sign.
     double
     compute_transition_speed(const FrictionLaw &law);
+
+    /// Whether friction under @p law holds a joint that creeps at @p
+    /// sliding_speed [m/s] under the @p ratio of friction to normal force.
+    bool
+    friction_holds(const FrictionLaw &law,
+                   const double       sliding_speed,
+                   const double       ratio);
   } // namespace Multibody
 } // namespace Tribody
 

@@ -95,6 +95,8 @@ namespace Tribody
       /// Normal force of the model "clearance".
       ContactForceLawChoice contact_force_law =
         ContactForceLawChoice::of<LankaraniNikraveshLaw>();
+      /// Of the contact force laws in delta^1.5.
+      RadiiCombination radii_combination = RadiiCombination::sum;
       /// How penetration and direction are measured once bore or pin are worn.
       PenetrationMeasure worn_contact_geometry = PenetrationMeasure::deepest;
       /// Stiffness k of the spring-damper [N/m].

@@ -31,6 +31,10 @@ namespace Tribody
      * surfaces stick if @f$ |P_t| \le \mu P_n @f$ is enough for that, else
      * @f$ P_t = \mu P_n @f$ against the sliding.
      *
+     * Of pins that hit at the same time each has the restitution of its own
+     * speed before; one that the impulses of others lift off has none.
+     * Pins that begin to approach the bore by that hit next, until none does.
+     *
      * An approach slower than the capture speed has no restitution; the pin
      * then follows the bore, if it presses, until the force that keeps it there
      * falls to zero.
@@ -108,12 +112,19 @@ namespace Tribody
         std::size_t n_events_taken = 0;
       };
 
-      // Impulses of one impact.
-      struct Impulse
+      // A pin that hits, and e_r.
+      struct Impact
       {
-        double          normal          = 0.;
-        double          tangential      = 0.;
-        Eigen::VectorXd velocity_change = Eigen::VectorXd();
+        unsigned int joint;
+        double       restitution;
+      };
+
+      // Of pins that hit at the same time.
+      struct Impulses
+      {
+        // One per pin.
+        std::vector<double> normal          = {};
+        Eigen::VectorXd     velocity_change = Eigen::VectorXd();
         // A follower that would have to be pulled; -1: none.
         int pulled = -1;
       };
@@ -121,25 +132,67 @@ namespace Tribody
       Mode &
       mode(const Combination &combination);
 
+      // Whether the pin is at its bore.
+      bool
+      touches(const unsigned int joint, const MechanismState &state) const;
+
+      // Rate of its penetration, and the derivative of that.
+      double
+      approach_speed(const unsigned int    joint,
+                     const MechanismState &state) const;
+
+      double
+      approach_acceleration(const unsigned int     joint,
+                            const MechanismState  &state,
+                            const Eigen::VectorXd &a) const;
+
+      // Add the pins that touch their bores and do not move away from them.
+      void
+      add_resting(const MechanismState &state, Combination &combination) const;
+
       // Let fly those pins of combination that would have to be pulled.
       Combination
       without_tension(Combination combination, const MechanismState &state);
 
-      Impulse
-      compute_impulse(const unsigned int       joint,
-                      const double             restitution,
-                      const EquationsOfMotion &in_mode,
-                      const MechanismState    &state) const;
+      // Normal and tangential, of a pin that meets an inverse mass, for a
+      // change of its normal and sliding speed; the latter as far as friction
+      // can.
+      Eigen::Vector2d
+      compute_impulse(const unsigned int     joint,
+                      const Eigen::Matrix2d &inverse_mass,
+                      const Eigen::Vector2d &change,
+                      const double           time) const;
+
+      Impulses
+      compute_impulses(const std::vector<Impact> &impacts,
+                       const EquationsOfMotion   &in_mode,
+                       const MechanismState      &state) const;
 
       // What happens at a stop, and on from there.
       void
       resolve_stops();
 
-      // The velocities after an impact of this joint; whether it is captured.
-      bool
-      collide(const unsigned int joint,
-              Combination       &combination,
-              MechanismState    &state);
+      // Impacts of pins at their bores until none moves outwards any more;
+      // which of them have hit.
+      std::vector<bool>
+      collide_all(Combination &combination, MechanismState &state);
+
+      // The velocities after impacts of these joints at the same time, and
+      // their normal impulses; pins that are captured follow.
+      std::vector<double>
+      collide(const std::vector<unsigned int> &joints,
+              Combination                     &combination,
+              MechanismState                  &state);
+
+      // Throw, naming the joint, unless its impacts at this time end.
+      void
+      check_endless(const bool         ends,
+                    const double       time,
+                    const unsigned int joint) const;
+
+      // Put the pins that follow onto their bores, should they not be there.
+      void
+      close_gaps(MechanismState &state);
 
       // A first step that is short beside the flights that begin.
       double

@@ -32,6 +32,7 @@ namespace Tribody
     };
 
     class EnergyAccount;
+    struct ImpactJoint;
 
     /// A contact began or ended.
     struct ContactEvent
@@ -197,6 +198,10 @@ namespace Tribody
       MechanismState
       state_of(const double                             t,
                const Eigen::Ref<const Eigen::VectorXd> &y) const;
+
+      // Whether a flying pin has left its bore with y and still moves away.
+      bool
+      goes_outside(const ImpactJoint &joint, const Eigen::VectorXd &y) const;
 
       // After a step: note drift and events; make a contact onset pending.
       void

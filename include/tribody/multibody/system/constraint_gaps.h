@@ -15,8 +15,14 @@ namespace Tribody
     class EquationsOfMotion;
     class Mechanism;
 
+    /// By what to multiply Phi to have lengths: one for them, the mechanism's
+    /// size for angles.
+    Eigen::VectorXd
+    compute_constraint_scales(const Mechanism &mechanism);
+
     /// Phi_q in units of the mechanism's size: columns of angles divided by it,
-    /// so that a turn counts as the way that it moves a point.
+    /// rows of them multiplied, so that a turn counts as the way that it moves
+    /// a point.
     Eigen::MatrixXd
     compute_scaled_jacobian(const EquationsOfMotion &equations,
                             const Eigen::VectorXd   &q);

@@ -126,7 +126,8 @@ namespace Tribody
        * All that the equations of motion in the form of MotionIntegrator
        * contain of the constraints, in one pass: set @p phi to Phi and
        * @p phi_rate to Phi_q v + Phi_t, add Phi_q^T lambda to @p forces and
-       * subtract Phi_q^T mu from @p rates.
+       * subtract Phi_q^T mu from @p rates. Where constraints are redundant, all
+       * give way a little, so that their multipliers are unique.
        */
       void
       assemble_constraint_terms(const double t,
@@ -225,6 +226,10 @@ namespace Tribody
       compute_energy(ConstVector q, ConstVector v) const;
 
     private:
+      // Gaps per multiplier that make those of redundant constraints unique.
+      Eigen::VectorXd
+      compute_compliances() const;
+
       const Mechanism            &system;
       std::vector<JointCondition> conditions;
     };

@@ -45,6 +45,8 @@ namespace Tribody
      * Solve Phi(q, t) = offsets for the configuration nearest to @p q by
      * Newton's method, with steps of least length (angles times the size of
      * the mechanism) while the mechanism has degrees of freedom.
+     * @param mobility one per coordinate, or none: by how much less than others
+     *   a coordinate is moved where there is a choice.
      * @return how it ended; q is improved in place. The residual is in units
      *   of the mechanism's size.
      */
@@ -52,7 +54,8 @@ namespace Tribody
     solve_positions(const EquationsOfMotion &equations,
                     const double             t,
                     const ConstraintOffsets &offsets,
-                    Eigen::VectorXd         &q);
+                    Eigen::VectorXd         &q,
+                    const Eigen::VectorXd   &mobility = {});
 
     /// The smallest velocities (in the same sense) with
     /// Phi_q v + Phi_t = d(offsets)/dt.
@@ -62,8 +65,15 @@ namespace Tribody
                        const ConstraintOffsets &offsets,
                        const Eigen::VectorXd   &q);
 
-    /// The velocities nearest to the initial ones of the parameters (in the
-    /// same sense) with Phi_q v + Phi_t = 0.
+    /// The velocities nearest to @p v (in the same sense) with
+    /// Phi_q v + Phi_t = 0.
+    Eigen::VectorXd
+    compute_nearest_velocities(const EquationsOfMotion &equations,
+                               const double             t,
+                               const Eigen::VectorXd   &q,
+                               const Eigen::VectorXd   &v);
+
+    /// Those nearest to the initial ones of the parameters.
     Eigen::VectorXd
     compute_initial_velocities(const EquationsOfMotion &equations,
                                const double             t,
@@ -118,7 +128,9 @@ namespace Tribody
      * Kinematics and inverse dynamics of a mechanism without degrees of freedom
      * and without clearance joints at time @p t: positions near @p q_guess,
      * then everything else in turn. @p extra_forces are added to gravity and
-     * springs. @throws ExcRun if there is no such position, naming the joint
+     * springs. With degrees of freedom: at the beginning of the motion,
+     * positions nearest to the guess and velocities to the initial ones.
+     * @throws ExcRun if there is no such position, naming the joint
      *   that cannot be closed.
      */
     Motion

@@ -108,14 +108,23 @@ namespace Tribody
       }
 
       /**
-       * Coordinates minus constraints. Exact only without redundant
-       * constraints, of which check_redundancy() makes sure.
+       * Coordinates minus constraints that do not follow from others. Exact
+       * only if these have been counted, of which check_redundancy() makes
+       * sure.
        */
       int
       n_degrees_of_freedom() const
       {
         return static_cast<int>(n_coordinates()) -
-               static_cast<int>(n_equations);
+               static_cast<int>(n_equations) + static_cast<int>(n_redundant());
+      }
+
+      /// Equations in Phi that follow from others, as the parameters say. With
+      /// them Phi_q has no full rank, and the multipliers are not unique.
+      unsigned int
+      n_redundant() const
+      {
+        return the_parameters.n_redundant;
       }
 
       /// What the mechanism was made from.
@@ -282,6 +291,10 @@ namespace Tribody
 
       void
       add_constraint(const std::shared_ptr<const Constraint> &constraint);
+
+      // A length where no body has a marker off its centre of mass.
+      double
+      find_distance() const;
 
       void
       add_spring(const SpringParameters &spring);

@@ -37,6 +37,10 @@ namespace Tribody
       std::vector<TorqueParameters> torques;
       /// Acceleration of gravity [m/s^2].
       dealii::Point<2> gravity;
+      /// Constraints that follow from others wherever the mechanism is; whoever
+      /// makes a mechanism of these counts them, see
+      /// count_redundant_constraints().
+      unsigned int n_redundant = 0;
 
       /// Check every entry by itself and that names are unique. References
       /// between them are checked by Mechanism. @throws ExcParameter.

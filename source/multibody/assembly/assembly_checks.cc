@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/solver_report.h>
-#include <tribody/multibody/system/assembly_checks.h>
+#include <tribody/multibody/assembly/assembly_checks.h>
+#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/system/constraint_gaps.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace Tribody
 {
@@ -19,51 +24,71 @@ namespace Tribody
   {
     namespace
     {
-      // Newton's method ends up to 1e-6 of the size away from a singular
-      // position, and the rows of Phi_q are dependent to that only.
-      constexpr double singular_threshold = 1e-5;
-
-
-
-      // Constraints that depend on each other at q, and how many are too many.
-      struct DependentConstraints
+      // The body that is not where it was, but for whole turns; -1 if all are.
+      int
+      find_body_elsewhere(const Mechanism       &mechanism,
+                          const Eigen::VectorXd &before,
+                          const Eigen::VectorXd &now)
       {
-        unsigned int surplus = 0;
-        std::string  names;
-      };
-
-      DependentConstraints
-      find_dependent_constraints(const EquationsOfMotion &equations,
-                                 const Eigen::VectorXd   &q,
-                                 const double             threshold)
-      {
-        const Mechanism   &mechanism = equations.mechanism();
-        const unsigned int m         = mechanism.n_constraints();
-        if (m == 0)
-          return {};
-        Eigen::MatrixXd jacobian = compute_scaled_jacobian(equations, q);
-        // A row of zeros, of markers that coincide, stays one.
-        for (unsigned int i = 0; i < m; ++i)
-          jacobian.row(i).normalize();
-        Eigen::FullPivLU<Eigen::MatrixXd> decomposition(jacobian.transpose());
-        decomposition.setThreshold(threshold);
-        if (decomposition.rank() == m)
-          return {};
-
-        // Every combination of rows that vanishes shows up in the null space of
-        // the transpose; the joints with entries there depend on each other.
-        const Eigen::MatrixXd kernel = decomposition.kernel();
-        DependentConstraints  result;
-        result.surplus = m - decomposition.rank();
-        for (const auto &[constraint, row] : mechanism.constraints())
-          if (kernel.middleRows(row, constraint->n_equations)
-                .lpNorm<Eigen::Infinity>() >
-              1e-6 * kernel.lpNorm<Eigen::Infinity>())
-            result.names +=
-              (result.names.empty() ? "" : ", ") + constraint->description;
-        return result;
+        // Times are rounded, and drivers go on over many turns.
+        constexpr double tolerance = 1e-6;
+        for (Eigen::Index i = 0; i < now.size(); i += 3)
+          {
+            const double turned = std::remainder(now(i + 2) - before(i + 2),
+                                                 2 * dealii::numbers::PI);
+            const double moved =
+              (now.segment<2>(i) - before.segment<2>(i)).norm();
+            if (std::abs(turned) > tolerance ||
+                moved > tolerance * mechanism.size())
+              return i / 3;
+          }
+        return -1;
       }
     } // namespace
+
+
+
+    void
+    check_return(const EquationsOfMotion &equations,
+                 const double             period,
+                 const unsigned int       n_steps)
+    {
+      constexpr unsigned int  most_cycles = 24;
+      const Mechanism        &mechanism   = equations.mechanism();
+      const ConstraintOffsets none(mechanism.n_constraints());
+      const Eigen::VectorXd   start = assemble_configuration(equations, 0.);
+      Eigen::VectorXd         q     = start;
+      int                     first_elsewhere = -1;
+      unsigned int            cycle           = 0;
+      bool                    is_back         = false;
+      while (!is_back && cycle < most_cycles)
+        {
+          for (unsigned int k = 1; k <= n_steps; ++k)
+            if (!solve_positions(
+                   equations, (cycle + 1. * k / n_steps) * period, none, q)
+                   .converged)
+              cycle = most_cycles;
+          ++cycle;
+          const int body = find_body_elsewhere(mechanism, start, q);
+          is_back        = body < 0;
+          if (cycle == 1)
+            first_elsewhere = body;
+        }
+      if (first_elsewhere < 0 && cycle == 1)
+        return;
+      throw ExcParameter(
+        "Drivers",
+        "do not bring the mechanism back to where it began after a cycle of " +
+          significant_digits(period, 6) + " s: body '" +
+          mechanism.parameters().bodies[std::max(0, first_elsewhere)].name +
+          "' is elsewhere" +
+          (is_back
+             ? ". All are back after " + significant_digits(cycle * period, 6) +
+                 " s: write that in 'Dynamics/Cycle duration'"
+             : ", and not all are back after " + std::to_string(most_cycles) +
+                 " cycles either. Set 'Dynamics/Cycle duration' to a "
+                 "time after which all repeats"));
+    }
 
 
 
@@ -93,9 +118,9 @@ namespace Tribody
                   ". Are the links' lengths right?");
             }
           const DependentConstraints dependent =
-            find_dependent_constraints(equations, q, singular_threshold);
+            find_dependent_constraints(equations, q);
           AssertThrow(
-            dependent.surplus == 0,
+            dependent.n <= mechanism.n_redundant(),
             ExcParameter("Drivers",
                          "lead through a singular position, with " +
                            describe_drivers(mechanism, k * step) +
@@ -112,11 +137,12 @@ namespace Tribody
                      const Eigen::VectorXd   &q)
     {
       const DependentConstraints dependent =
-        find_dependent_constraints(equations, q, singular_threshold);
+        find_dependent_constraints(equations, q);
+      const Mechanism &mechanism = equations.mechanism();
       AssertThrow(
-        dependent.surplus == 0,
+        dependent.n <= mechanism.n_redundant(),
         ExcParameter("Joints",
-                     std::to_string(dependent.surplus) +
+                     std::to_string(dependent.n - mechanism.n_redundant()) +
                        " constraint(s) follow from the others or contradict "
                        "them in the initial configuration. Those that depend "
                        "on each other belong to: " +
@@ -184,7 +210,7 @@ namespace Tribody
       // Looser than for redundancy: the motion ends near the singular position.
       const DependentConstraints dependent =
         find_dependent_constraints(equations, q_next, 1e-3);
-      if (dependent.surplus > 0)
+      if (dependent.n > mechanism.n_redundant())
         return " near the time " + significant_digits(t, 6) +
                " s the mechanism is close to a singular position, in which the "
                "constraints of " +

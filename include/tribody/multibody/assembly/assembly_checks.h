@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_multibody_system_assembly_checks_h
-#define tribody_multibody_system_assembly_checks_h
+#ifndef tribody_multibody_assembly_assembly_checks_h
+#define tribody_multibody_assembly_assembly_checks_h
 
 #include <Eigen/Core>
 
@@ -23,6 +23,16 @@ namespace Tribody
     check_full_cycle(const EquationsOfMotion &equations,
                      const double             period,
                      const unsigned int       n_steps);
+
+    /**
+     * Make sure that such a mechanism is back where it began after the time
+     * @p period, but for whole turns. @throws ExcParameter naming the body that
+     * is not and, if it is found, the time after which all are.
+     */
+    void
+    check_return(const EquationsOfMotion &equations,
+                 const double             period,
+                 const unsigned int       n_steps);
 
     /**
      * Make sure that the accelerations are determined: what the constraints

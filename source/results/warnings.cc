@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <tribody/base/significant_digits.h>
+#include <tribody/base/units.h>
+#include <tribody/results/warnings.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace Tribody
+{
+  namespace Coupling
+  {
+    namespace
+    {
+      // Parts beyond which a number is doubtful.
+      constexpr double largest_error        = 0.1;
+      constexpr double largest_oscillation  = 0.1;
+      constexpr double largest_energy_error = 0.01;
+
+
+
+      std::string
+      percent(const double part)
+      {
+        return significant_digits(100. * part, 2) + " %";
+      }
+
+
+
+      // What to do about the largest part of the error of the depth.
+      std::string
+      advise(const BushingResults &bushing)
+      {
+        const DutyErrors &duty  = bushing.duty_errors;
+        const std::string joint = "'Joint " + bushing.name + "/";
+        const std::vector<std::pair<double, std::string>> parts = {
+          {bushing.step_error(),
+           "the wear steps: shorten them by 'Wear/Tolerance' or 'Wear/Cycles "
+           "per step'"},
+          {bushing.mesh_error,
+           "the mesh: refine it by 'Bushing " + bushing.name +
+             "/Mesh/Bore cells'"},
+          {duty.sampling,
+           "the samples: take more by 'Dynamics/Samples per cycle'"},
+          {duty.inertia,
+           "the inertia of pins that follow their bores: choose "
+           "'Dynamics/Joint motion = dynamic'"},
+          {duty.settling,
+           "a motion that has not settled: raise 'Dynamics/Maximum settling "
+           "cycles' or 'Dynamics/Averaged cycles'"},
+          {duty.integration,
+           "the integration: choose a smaller 'Dynamics/Accuracy'"},
+          {duty.creep,
+           "sliding that is slower than the friction law is right for: lower " +
+             joint + "Friction regularisation speed'"}};
+        return std::max_element(parts.begin(), parts.end())->second;
+      }
+
+
+
+      void
+      warn_of_bushing(const CaseParameters &parameters,
+                      const BushingResults &bushing,
+                      const RunResults     &results,
+                      std::vector<Warning> &warnings)
+      {
+        const RunState &state   = results.state;
+        const Strains  &strains = state.joints[bushing.number].totals.strains;
+        if (strains.largest() > Strains::doubtful)
+          warnings.push_back({"strains", bushing.name, describe(strains)});
+        const std::string refine =
+          "refine 'Bushing " + bushing.name + "/Mesh/Bore cells'";
+        if (bushing.mesh_oscillation > largest_oscillation)
+          warnings.push_back(
+            {"oscillation",
+             bushing.name,
+             "the wear rate changes from node to node by " +
+               percent(bushing.mesh_oscillation) +
+               ", and pressures and depths may be wrong by as much: " + refine +
+               (parameters.wear.extrapolation == Extrapolation::implicit
+                  ? ""
+                  : ", or shorten the wear steps")});
+        if (bushing.number < state.mesh_errors.size() &&
+            state.mesh_errors[bushing.number].max_pressure > largest_error)
+          warnings.push_back(
+            {"pressure",
+             bushing.name,
+             "the largest pressure may be wrong by " +
+               percent(state.mesh_errors[bushing.number].max_pressure) +
+               ", as much as it differs on the next coarser mesh: " + refine});
+        if (bushing.depth_relative_error() > largest_error)
+          warnings.push_back({"depth",
+                              bushing.name,
+                              "the depth may be wrong by " +
+                                percent(bushing.depth_relative_error()) +
+                                ", most of it by " + advise(bushing)});
+      }
+
+
+
+      // Joints that creep instead of being held.
+      void
+      warn_of_creep(const Multibody::JointDutyCycle &joint,
+                    std::vector<Warning>            &warnings)
+      {
+        if (joint.creep_distance > 0.)
+          warnings.push_back(
+            {"held_by_friction",
+             joint.name,
+             "friction holds this joint: all of its " +
+               Units::to_string(std::stod(
+                                  significant_digits(joint.creep_distance, 2)),
+                                "m",
+                                "mm") +
+               " per cycle is creep of the friction law, which is smooth at "
+               "rest, and does not count as sliding; nothing wears. If it does "
+               "slide that slowly, lower 'Joint " +
+               joint.name +
+               "/Friction regularisation speed' below a third of its speed"});
+      }
+
+
+
+      void
+      warn_of_motion(const CaseParameters &parameters,
+                     const RunState       &state,
+                     std::vector<Warning> &warnings)
+      {
+        const Multibody::EnergyHistory &energy = state.duty_cycle.energy;
+        if (!state.dynamics.all_settled)
+          warnings.push_back(
+            {"not_settled",
+             "",
+             std::string(parameters.cycles > 0
+                           ? "not every duty cycle "
+                             "settled: "
+                           : "the motion has not settled: ") +
+               state.dynamics.unsettled_message +
+               ". Forces may be wrong by as much; raise 'Dynamics/Maximum "
+               "settling cycles' if the motion is to repeat"});
+        if (energy.cycle.has_work &&
+            energy.relative_error > largest_energy_error)
+          warnings.push_back(
+            {"energy",
+             "",
+             "the energies of the recorded cycle miss their balance by " +
+               percent(energy.relative_error) +
+               " of the largest, and forces may be wrong by as much: choose a "
+               "smaller 'Dynamics/Accuracy'"});
+      }
+    } // namespace
+
+
+
+    std::vector<Warning>
+    find_warnings(const CaseParameters &parameters, const RunResults &results)
+    {
+      const RunState      &state = results.state;
+      std::vector<Warning> warnings;
+      for (const Multibody::JointDutyCycle &joint : state.duty_cycle.joints)
+        {
+          warn_of_creep(joint, warnings);
+          if (const BushingResults *bushing = results.bushing(joint.name))
+            warn_of_bushing(parameters, *bushing, results, warnings);
+        }
+      warn_of_motion(parameters, state, warnings);
+      if (state.unstable_step_reported)
+        warnings.push_back(
+          {"unstable_steps",
+           "",
+           "'Wear/Cycles per step' is longer than explicit steps are stable "
+           "for on this mesh, about " +
+             significant_digits(state.stepper.max_stable_step, 3) +
+             " cycles: pressures and depths oscillate from node to node. "
+             "Choose shorter steps, a coarser mesh, or 'Wear/Extrapolation = "
+             "implicit'"});
+      if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
+          !results.bushings.empty() && state.mesh_errors.empty())
+        warnings.push_back(
+          {"no_mesh_error",
+           "",
+           "the error of the mesh is not known, as the next coarser one "
+           "fails: compare with 'Mesh/Bore cells' of your own"});
+      return warnings;
+    }
+  } // namespace Coupling
+} // namespace Tribody
