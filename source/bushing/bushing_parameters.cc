@@ -33,7 +33,8 @@ namespace Tribody
                                  p.outer_radius,
                                  "m",
                                  "Radius of the rim, larger than the joint's "
-                                 "bushing radius.",
+                                 "bushing radius, at most 1000 times as "
+                                 "large.",
                                  "mm");
         p.rim_shape.add_parameters(prm);
         p.rim_support.add_parameters(prm);
@@ -372,15 +373,6 @@ namespace Tribody
                            " must be larger than the bushing radius of "
                            "the joint, " +
                            Units::to_string(joint.bushing_radius, "m", "mm")));
-          constexpr double largest_ratio = 1e3;
-          AssertThrow(
-            outer_radius <= largest_ratio * joint.bushing_radius,
-            ExcParameter("Bushing " + name + "/Outer radius",
-                         Units::to_string(outer_radius, "m", "mm") +
-                           " is more than 1000 times the bushing radius of "
-                           "the joint, " +
-                           Units::to_string(joint.bushing_radius, "m", "mm") +
-                           ", too much for a mesh of this wall"));
           rim_shape.check("Bushing " + name,
                           joint.bushing_radius,
                           outer_radius);

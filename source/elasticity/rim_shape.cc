@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace Tribody
 {
@@ -51,8 +53,25 @@ namespace Tribody
                     const double       inner_radius,
                     const double       outer_radius) const
     {
-      // Finer than any wall that could be meshed.
-      constexpr unsigned int n_samples = 7200;
+      // Finer than any wall that could be meshed, and too thick a one for the
+      // same number of layers.
+      constexpr unsigned int               n_samples = 7200;
+      constexpr double                     thickest  = 1e3;
+      const std::pair<std::string, double> largest =
+        std::max({std::make_pair(std::string("Outer radius"), outer_radius),
+                  std::make_pair(std::string("Second semi-axis"),
+                                 kind == Kind::ellipse ? second_semi_axis : 0.),
+                  std::make_pair(std::string("Outer centre"), centre.norm())},
+                 [](const auto &a, const auto &b) {
+                   return a.second < b.second;
+                 });
+      AssertThrow(largest.second <= thickest * inner_radius,
+                  ExcParameter(path + "/" + largest.first,
+                               Units::to_string(largest.second, "m", "mm") +
+                                 " is more than 1000 times the bushing radius "
+                                 "of the joint, " +
+                                 Units::to_string(inner_radius, "m", "mm") +
+                                 ": no mesh of such a wall is any good"));
       AssertThrow(kind == Kind::circle || second_semi_axis > inner_radius,
                   ExcParameter(path + "/Second semi-axis",
                                Units::to_string(second_semi_axis, "m", "mm") +

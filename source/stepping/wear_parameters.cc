@@ -43,15 +43,17 @@ namespace Tribody
                                "motion and compliance during a step is held "
                                "to the same tolerance. Depths below 5 % of the "
                                "clearance do not make it tighter.");
-      Parameters::add_quantity(prm,
-                               "Cycles per step",
-                               cycles_per_step,
-                               "",
-                               "Length A_E of a wear step in cycles. Explicit "
-                               "steps are stable up to a length that falls "
-                               "with the mesh size; longer ones grow "
-                               "oscillations in pressure and depth, which the "
-                               "log reports. 0: 80 % of the stable length.");
+      Parameters::add_quantity(
+        prm,
+        "Cycles per step",
+        cycles_per_step,
+        "",
+        "Length A_E of a wear step in cycles. Explicit "
+        "steps are stable up to a length that falls "
+        "with the mesh size; longer ones grow "
+        "oscillations in pressure and depth, which the "
+        "log reports. 0: 80 % of the stable length. A run "
+        "has at most 1e9 steps.");
       Parameters::add_quantity(prm,
                                "Compliance update",
                                compliance_update,

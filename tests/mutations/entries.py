@@ -61,6 +61,7 @@ TABLE = {
         "Pin material": "name",
         "Bushing material": "name",
         "Contact force law": "word",
+        "Radii of contact stiffness": "word",
         "Worn contact geometry": "word",
         "Restitution coefficient": "1",
         "Contact stiffness": "kg s-2",

@@ -617,7 +617,8 @@ namespace Tribody
       history.cycle = changes.back();
       if (energy_account != nullptr)
         {
-          history.relative_error             = balance_relative_error(changes);
+          history.relative_error =
+            balance_relative_error(changes, history.kinetic.maxCoeff());
           history.relative_error_since_start = energy_account->relative_error();
         }
       return history;

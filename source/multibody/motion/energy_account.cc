@@ -56,9 +56,10 @@ namespace Tribody
       the_time = state.time;
       powers   = compute_powers(state);
       update_record(state);
-      at_opening    = the_record;
-      largest_error = 0.;
-      largest_term  = 0.;
+      at_opening      = the_record;
+      largest_error   = 0.;
+      largest_term    = 0.;
+      largest_kinetic = 0.;
     }
 
 
@@ -88,6 +89,7 @@ namespace Tribody
       const EnergyRecord change = the_record.since(at_opening);
       largest_error = std::max(largest_error, std::abs(change.balance_error()));
       largest_term  = std::max(largest_term, change.largest_term());
+      largest_kinetic = std::max(largest_kinetic, the_record.kinetic);
     }
 
 
@@ -95,7 +97,7 @@ namespace Tribody
     double
     EnergyAccount::relative_error() const
     {
-      return largest_term > 0. ? largest_error / largest_term : 0.;
+      return relative_to_exchange(largest_error, largest_term, largest_kinetic);
     }
 
 

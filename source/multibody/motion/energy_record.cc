@@ -68,7 +68,20 @@ namespace Tribody
 
 
     double
-    balance_relative_error(const std::vector<EnergyRecord> &changes)
+    relative_to_exchange(const double error,
+                         const double term,
+                         const double kinetic)
+    {
+      constexpr double roundings = 1e-12;
+      const double     scale     = std::max(term, roundings * kinetic);
+      return scale > 0. ? error / scale : 0.;
+    }
+
+
+
+    double
+    balance_relative_error(const std::vector<EnergyRecord> &changes,
+                           const double                     kinetic)
     {
       double error = 0., term = 0.;
       for (const EnergyRecord &change : changes)
@@ -76,7 +89,7 @@ namespace Tribody
           error = std::max(error, std::abs(change.balance_error()));
           term  = std::max(term, change.largest_term());
         }
-      return term > 0. ? error / term : 0.;
+      return relative_to_exchange(error, term, kinetic);
     }
   } // namespace Multibody
 } // namespace Tribody

@@ -89,8 +89,9 @@ namespace Tribody
       Eigen::VectorXd          powers;
       EnergyRecord             at_opening;
       EnergyRecord             the_record;
-      double                   largest_error = 0.;
-      double                   largest_term  = 0.;
+      double                   largest_error   = 0.;
+      double                   largest_term    = 0.;
+      double                   largest_kinetic = 0.;
     };
   } // namespace Multibody
 } // namespace Tribody

@@ -67,10 +67,21 @@ namespace Tribody
       since(const EnergyRecord &earlier) const;
     };
 
-    /// Largest error of the balance among @p changes (results of since() one
-    /// earlier record), relative to the largest term that occurs among them.
+    /// @p error of a balance, relative to its largest @p term, or to what
+    /// roundings leave of the largest @p kinetic energy, if that is more: a
+    /// motion that exchanges nothing has nothing but roundings in its balance.
+    /// All in J.
     double
-    balance_relative_error(const std::vector<EnergyRecord> &changes);
+    relative_to_exchange(const double error,
+                         const double term,
+                         const double kinetic);
+
+    /// Largest error of the balance among @p changes (results of since() one
+    /// earlier record), relative to the largest term that occurs among them or
+    /// to what roundings leave of @p kinetic, the largest kinetic energy [J].
+    double
+    balance_relative_error(const std::vector<EnergyRecord> &changes,
+                           const double                     kinetic);
   } // namespace Multibody
 } // namespace Tribody
 
