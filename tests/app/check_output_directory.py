@@ -46,7 +46,9 @@ class Runs:
 
 def friction(text):
     """Of the crank pin in a parameter file."""
-    return float(re.search(r"set Friction coefficient *= ([\d.]+)", text).group(1))
+    of_joint = text[text.index("subsection Joint crank_pin"):]
+    return float(re.search(r"set Friction coefficient *= ([\d.]+)",
+                           of_joint).group(1))
 
 
 def check_several_at_once(runs):
