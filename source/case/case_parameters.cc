@@ -596,8 +596,7 @@ namespace Tribody
         // whether the mechanism can be assembled.
         const Multibody::Mechanism mechanism(
           Multibody::count_redundant_constraints(parameters.mechanism));
-        if (parameters.cycles > 0)
-          check_repetition(mechanism, parameters.dynamics);
+        check_repetition(mechanism, parameters.dynamics, parameters.cycles > 0);
         const Multibody::CycleSimulation simulation(mechanism,
                                                     parameters.dynamics);
         if (parameters.cycles > 0)

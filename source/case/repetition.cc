@@ -58,15 +58,15 @@ namespace Tribody
         if (repeats_after(function, cycle, 1, is_angle))
           return;
         for (unsigned int n = 2; n <= most_cycles; ++n)
-          AssertThrow(!repeats_after(function, cycle, n, is_angle),
-                      ExcParameter(path,
-                                   "repeats after " + std::to_string(n) +
-                                     " cycles of " +
-                                     significant_digits(cycle, 6) +
-                                     " s, and wear would go on as in the first "
-                                     "of them. Write 'set Cycle duration = " +
-                                     significant_digits(n * cycle, 6) +
-                                     " s' in 'Dynamics'"));
+          AssertThrow(
+            !repeats_after(function, cycle, n, is_angle),
+            ExcParameter(path,
+                         "repeats after " + std::to_string(n) + " cycles of " +
+                           significant_digits(cycle, 6) +
+                           " s, and results would be those of the "
+                           "first of them. Write 'set Cycle duration = " +
+                           significant_digits(n * cycle, 6) +
+                           " s' in 'Dynamics'"));
         AssertThrow(!is_integrated,
                     ExcParameter(path,
                                  "does not repeat with the cycle of " +
@@ -106,11 +106,16 @@ namespace Tribody
 
     void
     check_repetition(const Multibody::Mechanism          &mechanism,
-                     const Multibody::DynamicsParameters &parameters)
+                     const Multibody::DynamicsParameters &parameters,
+                     const bool                           wears)
     {
-      if (parameters.cycle_duration == 0. && !mechanism.has_turning_driver())
+      const bool is_given = parameters.cycle_duration > 0.;
+      if (!is_given && !mechanism.has_turning_driver())
         return;
-      const bool   is_given = parameters.cycle_duration > 0.;
+      // Who says how long a cycle is, or records it from the start, may want a
+      // part of the motion.
+      if (!wears && (is_given || parameters.maximum_settling_cycles == 0))
+        return;
       const double cycle =
         is_given ? parameters.cycle_duration : mechanism.period();
       // Nothing prescribes the motion of degrees of freedom that ideal joints
@@ -118,10 +123,11 @@ namespace Tribody
       const Multibody::Mechanism closed(
         Multibody::with_ideal_joints(mechanism.parameters()));
       const bool is_integrated =
-        parameters.analysis == Multibody::Analysis::dynamic ||
-        (parameters.analysis == Multibody::Analysis::automatic &&
-         (parameters.joint_motion == Multibody::JointMotion::dynamic ||
-          closed.n_degrees_of_freedom() != 0));
+        wears &&
+        (parameters.analysis == Multibody::Analysis::dynamic ||
+         (parameters.analysis == Multibody::Analysis::automatic &&
+          (parameters.joint_motion == Multibody::JointMotion::dynamic ||
+           closed.n_degrees_of_freedom() != 0)));
       const auto &names = mechanism.parameters();
       for (std::size_t i = 0; i < names.forces.size(); ++i)
         check_function(mechanism.applied_forces()[i].function,
@@ -140,7 +146,7 @@ namespace Tribody
                          cycle,
                          is_integrated,
                          names.drivers[i].is_angle());
-      if (!is_given)
+      if (wears && !is_given)
         check_turns(mechanism, cycle);
     }
   } // namespace Coupling

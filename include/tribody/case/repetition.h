@@ -15,12 +15,14 @@ namespace Tribody
      * need several cycles of the dynamics to repeat, nor turn by a part of a
      * turn in a cycle that is a turn of the first driver. What never repeats is
      * taken as it is in the first cycle, unless the motion is integrated, which
-     * would go on to later ones.
+     * would go on to later ones. Without wear (@p wears), what needs several
+     * cycles is refused where the cycle is a turn of the first driver.
      * @throws ExcParameter naming what does not repeat, and when it would.
      */
     void
     check_repetition(const Multibody::Mechanism          &mechanism,
-                     const Multibody::DynamicsParameters &parameters);
+                     const Multibody::DynamicsParameters &parameters,
+                     const bool                           wears);
   } // namespace Coupling
 } // namespace Tribody
 

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <tribody/algebra/sparse_rows.h>
 #include <tribody/base/solver_report.h>
 #include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/system/constraint_gaps.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/base/exceptions.h>
+#include <tribody/multibody/assembly/assembly_checks.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/multibody/cycle/integrated_cycle.h>
 #include <tribody/multibody/cycle/settling_monitor.h>
-#include <tribody/multibody/assembly/assembly_checks.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/mechanism.h>
 

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <Eigen/SparseLU>
 
+#include <tribody/algebra/sparse_rows.h>
 #include <tribody/base/exceptions.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/significant_digits.h>
@@ -95,8 +96,8 @@ namespace Tribody
         if (mobility.size() > 0)
           jacobian *= mobility.asDiagonal();
         x = solve_least_norm(jacobian,
-                           compute_constraint_scales(mechanism).cwiseProduct(
-                             right_hand_side));
+                             compute_constraint_scales(mechanism).cwiseProduct(
+                               right_hand_side));
         if (mobility.size() > 0)
           x = mobility.cwiseProduct(x);
         return x.cwiseQuotient(compute_coordinate_scales(mechanism));

@@ -19,27 +19,6 @@ namespace Tribody
     Eigen::SparseMatrix<double>
     compute_sparse_jacobian(const EquationsOfMotion &equations,
                             const Eigen::VectorXd   &q);
-
-    /**
-     * Whether no row of @p matrix, whose rows have length one, comes closer
-     * than
-     * @p threshold to a combination of others. False may be wrong, if
-     * a dense decomposition with complete pivoting would find better pivots.
-     */
-    bool
-    rows_are_independent(const Eigen::SparseMatrix<double> &matrix,
-                         const double                       threshold);
-
-    /**
-     * The shortest x with @p matrix x = @p right_hand_side, in linear time for
-     * chains and trees, from (1, A^T; A, 0).
-     * @return whether there is one; not if rows of the matrix depend on each
-     *   other.
-     */
-    bool
-    solve_least_norm(const Eigen::SparseMatrix<double> &matrix,
-                     const Eigen::VectorXd             &right_hand_side,
-                     Eigen::VectorXd                   &x);
   } // namespace Multibody
 } // namespace Tribody
 

@@ -8,13 +8,13 @@
 
 #include <Eigen/QR>
 
-#include <tribody/multibody/system/sparse_jacobian.h>
+#include <tribody/algebra/sparse_rows.h>
 
 #include <cmath>
 #include <fstream>
 #include <string>
 
-using namespace Tribody::Multibody;
+using namespace Tribody;
 
 // A chain: each pair of rows ties three numbers to the next three.
 Eigen::MatrixXd
