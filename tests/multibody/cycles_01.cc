@@ -64,6 +64,7 @@ average_of_known_cycles()
   joint.force_x = Eigen::VectorXd::Zero(12);
   joint.force_y.resize(12);
   joint.force_y << 0., 1., 0., 3., 2., 4., 2., 0., 5., 1., 1., 5.;
+  joint.normal_force      = joint.force_y;
   joint.sliding_increment = Eigen::VectorXd::Constant(12, 1.);
   cycle.joints            = {joint};
   cycle.average_over(3);

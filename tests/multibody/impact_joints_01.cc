@@ -34,6 +34,9 @@ using namespace Tribody;
 using namespace Tribody::Multibody;
 
 constexpr double g = 10.;
+// Slower pins are caught: what their impacts would still have taken is missing
+// at the end, at most 2 v / (g (1 - e)).
+constexpr double capture_speed = 5e-3;
 
 JointParameters
 impact_joint(const std::string &name,
@@ -52,7 +55,7 @@ impact_joint(const std::string &name,
   joint.bushing_radius          = 30e-3 + clearance;
   joint.restitution_coefficient = restitution;
   joint.friction_coefficient    = mu;
-  joint.capture_speed           = 5e-3;
+  joint.capture_speed           = capture_speed;
   return joint;
 }
 
@@ -157,7 +160,7 @@ fall_flat(const double e, const double inertia_share)
   report_below("  speeds e^n, relative error", error, 1e-3);
   report_below("  end of the impacts, relative error",
                std::abs(last / end - 1),
-               1e-3);
+               1e-3 + 2. * capture_speed / (g * (1. - e)) / end);
   report_below("  tilt [urad]", 1e6 * tilt, 1e-3);
   report_below("  largest e/c - 1", eccentricity - 1., 1e-6);
 }

@@ -17,7 +17,7 @@
 //
 // A four-bar with three joints that have clearance: velocities and forces of
 // ideal joints, to the clearance over the crank, 0.005, and what friction and
-// the mechanism make of it: 2 %.
+// the mechanism make of it: 3 %.
 //
 // The motion that begins so goes on: after a hundredth of a cycle joints have
 // the forces of ideal ones.
@@ -168,7 +168,7 @@ pendulum(const JointModel model)
   report_below(
     "  place of the pin over c, error",
     (s.eccentricity(0) / clearance - Eigen::Vector2d::UnitY()).norm(),
-    3e-3);
+    1.1 * clearance / length);
   report_below("  speed [m/s]", s.start.state.v.norm(), 1e-12);
   if (model == JointModel::clearance)
     report_below("  force over m g/4, error",
@@ -270,7 +270,7 @@ four_bar(const JointModel model)
                    std::abs(cycle.joints[j].force()(0) /
                               ideal_cycle.joints[j].force()(0) -
                             1.),
-                   2e-2);
+                   3e-2);
     }
 }
 

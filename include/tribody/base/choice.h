@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
 
 #include <string>
 #include <utility>
@@ -64,7 +65,7 @@ namespace Tribody
           value = choice;
           return;
         }
-    throw ExcInput("'" + word + "' is not one of: " +
+    throw ExcInput(in_quotes(word) + " is not one of: " +
                    boost::algorithm::join(words_of(choices), " | "));
   }
 } // namespace Tribody
