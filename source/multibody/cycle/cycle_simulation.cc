@@ -85,19 +85,26 @@ namespace Tribody
 
 
 
-      // For the user, after what the start had to say.
+      // For the user, after what the start had to say. If the motion was not
+      // expected to repeat, the report is that of the last one that was.
       std::string
       describe_settling(const SettlingReport &settling,
+                        const bool            was_expected,
                         const std::string    &of_start)
       {
         std::string message = of_start;
         if (settling.converged)
           return message;
-        message += std::string(message.empty() ? "" : "; ") +
-                   "joint forces, sliding or velocities still changed by " +
-                   significant_digits(100 * settling.repeat_difference) +
-                   " % of the largest one from cycle to cycle after " +
-                   std::to_string(settling.n_cycles) + " cycles";
+        const unsigned int n_settling =
+          settling.n_cycles -
+          (settling.n_averaged_cycles > 1 ? settling.n_averaged_cycles : 0);
+        message +=
+          std::string(message.empty() ? "" : "; ") +
+          "joint forces, sliding or velocities still changed by " +
+          significant_digits(100 * settling.repeat_difference) +
+          " % of the largest one from cycle to cycle " +
+          (was_expected ? "after " + std::to_string(n_settling) + " cycles"
+                        : "when they were last given the time to settle");
         if (std::isfinite(settling.distance))
           message += ", at a rate that leaves " +
                      significant_digits(100 * settling.distance, 2) +
@@ -108,6 +115,9 @@ namespace Tribody
                      " cycles after that";
         return message;
       }
+
+
+
       // Gaps may allow what closed joints do not.
       MechanismParameters
       close_gaps(const Mechanism &mechanism)
@@ -715,20 +725,31 @@ namespace Tribody
     {
       MotionTolerances tolerances =
         make_tolerances(mechanism, scales, parameters);
-      tolerances.maximum_step     = period / parameters.samples_per_cycle;
-      const bool          goes_on = before != nullptr && before->end;
-      const StartingState start   = goes_on
-                                      ? continue_from(equations, *before->end)
-                                      : compute_start(equations);
-      IntegratedCycle     motion(
+      tolerances.maximum_step = period / parameters.samples_per_cycle;
+      // Whoever records the first cycle wants that of the start.
+      const bool goes_on = before != nullptr && before->end &&
+                           parameters.maximum_settling_cycles > 0;
+      const StartingState start = goes_on
+                                    ? continue_from(equations, *before->end)
+                                    : compute_start(equations);
+      // One that had to start anew has something to settle again.
+      const bool repeats = !goes_on || before->settling.converged ||
+                           start.state.time != before->end->state.time;
+      IntegratedCycle motion(
         equations, parameters, tolerances, period, start.state);
       DutyCycle cycle = motion.run(
         [&](const DutyCycle &recorded, const unsigned int n) {
           return needs_more_samples(recorded, arcs, n);
         },
-        !goes_on || before->settling.converged);
+        repeats);
+      if (!repeats)
+        {
+          cycle.settling.repeat_difference = before->settling.repeat_difference;
+          cycle.settling.distance          = before->settling.distance;
+          cycle.settling.decay             = before->settling.decay;
+        }
       cycle.settling.message =
-        describe_settling(cycle.settling, start.report.message);
+        describe_settling(cycle.settling, repeats, start.report.message);
       judge_creep(mechanism, closed_equations, cycle);
       return cycle;
     }

@@ -43,6 +43,8 @@ namespace Tribody
         conditions.push_back(
           joints[j].make_condition(clearances[j],
                                    supports.empty() ? nullptr : supports[j]));
+      if (system.n_redundant() > 0)
+        set_compliances();
     }
 
 
@@ -133,22 +135,33 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    EquationsOfMotion::compute_compliances() const
+    void
+    EquationsOfMotion::set_compliances()
     {
       // Under the weight of the heaviest body, this part of the size.
       constexpr double part = 1e-10, gravity = 9.81;
-      const double     size = system.size();
-      double           mass = 0.;
+      // Of a rate per unit of mu. It decides nothing, as mu is zero but for
+      // roundings and what gives way above: far below the squares of the
+      // singular values of Phi_q, far above what rounding leaves of them.
+      constexpr double part_of_rates = 1e-5;
+      const double     size          = system.size();
+      double           mass          = 0.;
       for (const BodyParameters &body : system.parameters().bodies)
         mass =
           std::max({mass, body.mass, body.moment_of_inertia / size / size});
-      Eigen::VectorXd compliances(system.n_constraints());
+      const double length_per_force =
+        part * size / ((mass > 0. ? mass : 1.) * gravity);
+      compliances.resize(system.n_constraints());
+      rate_compliances.resize(system.n_constraints());
       for (const auto &[element, row] : system.constraints())
         for (unsigned int i = 0; i < element->n_equations; ++i)
-          compliances(row + i) = part * size / (mass * gravity) /
-                                 (element->is_angle(i) ? size * size : 1.);
-      return compliances;
+          {
+            const bool is_angle = element->is_angle(i);
+            compliances(row + i) =
+              length_per_force / (is_angle ? size * size : 1.);
+            rate_compliances(row + i) =
+              part_of_rates * (is_angle ? 1. : std::min(1., size * size));
+          }
     }
 
 
@@ -183,8 +196,8 @@ namespace Tribody
         }
       if (system.n_redundant() > 0)
         {
-          phi -= compute_compliances().cwiseProduct(lambda);
-          phi_rate -= compute_compliances().cwiseProduct(mu);
+          phi -= compliances.cwiseProduct(lambda);
+          phi_rate -= rate_compliances.cwiseProduct(mu);
         }
     }
 
@@ -245,14 +258,11 @@ namespace Tribody
               entries);
         }
       if (system.n_redundant() > 0)
-        {
-          const Eigen::VectorXd compliances = compute_compliances();
-          for (Eigen::Index i = 0; i < compliances.size(); ++i)
-            {
-              entries.add(first.lambda + i, first.lambda + i, -compliances(i));
-              entries.add(first.mu + i, first.mu + i, -compliances(i));
-            }
-        }
+        for (Eigen::Index i = 0; i < compliances.size(); ++i)
+          {
+            entries.add(first.lambda + i, first.lambda + i, -compliances(i));
+            entries.add(first.mu + i, first.mu + i, -rate_compliances(i));
+          }
     }
 
 

@@ -109,13 +109,13 @@ namespace Tribody
       /// Error that they may leave in the wear before twice as many are taken
       /// [-]; 0: they are as many as asked for.
       double sampling_tolerance = 0.;
-      /// Largest change of a joint force from one cycle to the next, relative
-      /// to the largest force, that counts as repeating [-].
+      /// Distance from a motion that repeats that counts as none [-]:
+      /// SettlingReport::distance.
       double settling_tolerance = 5e-3;
       /// Cycles that are run at most before one is taken as it is; 0: the
       /// first one is.
       unsigned int maximum_settling_cycles = 20;
-      /// Cycles that are averaged if the motion does not repeat.
+      /// Cycles that are averaged if the motion does not repeat, at most.
       unsigned int averaged_cycles = 10;
       /// Integration steps in one cycle after which the run is given up.
       unsigned int maximum_steps_per_cycle = 1000000;

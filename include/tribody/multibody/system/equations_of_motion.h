@@ -226,12 +226,15 @@ namespace Tribody
       compute_energy(ConstVector q, ConstVector v) const;
 
     private:
-      // Gaps per multiplier that make those of redundant constraints unique.
-      Eigen::VectorXd
-      compute_compliances() const;
+      void
+      set_compliances();
 
       const Mechanism            &system;
       std::vector<JointCondition> conditions;
+      // Gaps per lambda and rates of gaps per mu that make the multipliers of
+      // redundant constraints unique; empty without.
+      Eigen::VectorXd compliances;
+      Eigen::VectorXd rate_compliances;
     };
 
     /// The clearances of all clearance joints as manufactured.
