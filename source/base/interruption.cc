@@ -66,6 +66,8 @@ namespace Tribody
     interrupting = 0;
     says_so      = says ? 1 : 0;
     std::signal(SIGPIPE, SIG_IGN);
+    // A file beyond 'ulimit -f' is an error of the one who writes it.
+    std::signal(SIGXFSZ, SIG_IGN);
     for (const int signal : watched)
       {
         struct sigaction before = {};
