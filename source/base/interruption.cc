@@ -73,7 +73,7 @@ namespace Tribody
         struct sigaction before = {};
         sigaction(signal, nullptr, &before);
         // nohup asks for it. Shells ignore SIGINT for what a script has put in
-        // the background, though, where it can only come from 'kill'.
+        // the background, though, and Ctrl-C is to stop all of that.
         if (signal == SIGHUP && before.sa_handler == SIG_IGN)
           continue;
         struct sigaction action = {};
