@@ -66,12 +66,14 @@ namespace Tribody
     interrupting = 0;
     says_so      = says ? 1 : 0;
     std::signal(SIGPIPE, SIG_IGN);
+    // A file beyond 'ulimit -f' is an error of the one who writes it.
+    std::signal(SIGXFSZ, SIG_IGN);
     for (const int signal : watched)
       {
         struct sigaction before = {};
         sigaction(signal, nullptr, &before);
         // nohup asks for it. Shells ignore SIGINT for what a script has put in
-        // the background, though, where it can only come from 'kill'.
+        // the background, though, and Ctrl-C is to stop all of that.
         if (signal == SIGHUP && before.sa_handler == SIG_IGN)
           continue;
         struct sigaction action = {};

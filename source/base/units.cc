@@ -39,10 +39,15 @@ namespace Tribody
                   ExcInput("UDUNITS-2 cannot read its unit database. Install "
                            "the package libudunits2-0 or set "
                            "UDUNITS2_XML_PATH."));
-      // Everyday spelling that the database does not have.
-      const Unit degree(ut_get_unit_by_name(system.get(), "arc_degree"),
-                        ut_free);
-      ut_map_symbol_to_unit("deg", UT_ASCII, degree.get());
+      // Everyday spellings that the database does not have.
+      for (const auto &[symbol, name] :
+           {std::make_pair("deg", "arc_degree"),
+            std::make_pair("rev", "turn"),
+            std::make_pair("lbm", "avoirdupois_pound")})
+        {
+          const Unit unit(ut_get_unit_by_name(system.get(), name), ut_free);
+          ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get());
+        }
       return system;
     }
 
@@ -56,6 +61,9 @@ namespace Tribody
     Unit
     parse_unit(const std::string &text)
     {
+      // German for a degree, not 1e9 radians.
+      if (text.find("Grad") != std::string::npos)
+        return {nullptr, ut_free};
       return Unit(ut_parse(unit_system(), text.c_str(), UT_ASCII), ut_free);
     }
 
@@ -141,11 +149,15 @@ namespace Tribody
     // Digits of a unit are exponents, behind a letter, a bracket or '^', with a
     // sign perhaps. UDUNITS would multiply with others: "9 .525 mm" is not
     // 4.7 mm; and "1'000 g" not 1 g times the 0th power of an arcminute.
+    // Only the 1 of "1/Pa" may be there.
     bool
     has_number(const std::string &unit)
     {
       const auto is_digit = [](const char c) { return c >= '0' && c <= '9'; };
-      for (std::size_t i = 0; i < unit.size(); ++i)
+      const bool is_reciprocal =
+        !unit.empty() && unit[0] == '1' &&
+        unit.find_first_not_of(' ', 1) == unit.find('/');
+      for (std::size_t i = is_reciprocal ? 1 : 0; i < unit.size(); ++i)
         {
           if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1])))
             continue;

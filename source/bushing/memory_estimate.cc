@@ -57,14 +57,19 @@ namespace Tribody
 
       if (bushing.mesh_file.is_given())
         return 0.;
-      const double      degree  = bushing.element_degree;
-      const CellNumbers cells   = count_cells(bushing.mesh);
-      const double      n_nodes = cells.at_bore * degree;
-      const double      unknowns =
+      const double      degree = bushing.element_degree;
+      const CellNumbers cells  = count_cells(bushing.mesh);
+      // A housing sees the rim as well.
+      const double n_nodes =
+        (bushing.rim_support.is_housing() ? 2. : 1.) * cells.at_bore * degree;
+      const double unknowns =
         2. * (cells.all * degree * degree + cells.at_bore * degree);
       const double matrices =
         n_matrices + (bushing.pin_is_elastic(joint) ? n_matrices_of_pin : 0.);
-      return 8. * matrices * n_nodes * n_nodes +
+      const double of_matrices = 8. * matrices * n_nodes * n_nodes;
+      if (bushing.shares_mesh())
+        return of_matrices;
+      return of_matrices +
              unknowns * (of_unknown + of_factor * std::log2(unknowns));
     }
 

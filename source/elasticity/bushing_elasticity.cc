@@ -145,9 +145,6 @@ namespace Tribody
     {
       // More would save little: what multigrid does, it does column by column.
       constexpr Eigen::Index columns_at_once = 32;
-      // 4e-11 at 9360 equations; it grows with the root of their number.
-      // Nearly incompressible rings lose more digits than others.
-      constexpr double largest_asymmetry = 1e-6;
 
       Assert(is_assembled, dealii::ExcNotInitialized());
       const Eigen::Index n = nodes.n_nodes();
@@ -166,7 +163,7 @@ namespace Tribody
               compliance.middleCols(j, range.end - j) =
                 compliance_columns(normals, range);
             }
-          return symmetric_part(compliance, "bushing", largest_asymmetry);
+          return symmetric_part(compliance, "bushing");
         }
 
       // The normal displacement of a bore node takes the place of x. Hanging

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -232,8 +233,9 @@ namespace Tribody
                 words.skip(dimension == 0 ? 3 : 6);
                 std::vector<long> groups(
                   words.count("a number of physical groups"));
+                // A minus turns the curve only.
                 for (long &group : groups)
-                  group = words.number<long>("a physical group");
+                  group = std::abs(words.number<long>("a physical group"));
                 if (dimension == 1)
                   groups_of_curve[tag] = groups;
                 if (dimension > 0)

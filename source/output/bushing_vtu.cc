@@ -50,6 +50,8 @@ namespace Tribody
                      const MPI_Comm           &communicator)
       {
         const std::string beside = file_name + ".part";
+        std::string       failure;
+        errno = 0;
         try
           {
             data_out.write_vtu_in_parallel(beside, communicator);
@@ -57,8 +59,12 @@ namespace Tribody
         catch (const dealii::ExceptionBase &)
           {
             // MPI's words for a full disk are not for users.
-            throw ExcRun(describe_write_error(file_name, errno));
+            failure = describe_write_error(file_name, errno);
           }
+        // It may have failed on some of the ranks only.
+        Ranks::run_together(communicator, [&]() {
+          AssertThrow(failure.empty(), ExcRun(failure));
+        });
         Ranks::run_together(communicator, [&]() {
           if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
             replace_file(file_name, [](const std::string &) {});

@@ -26,6 +26,16 @@ namespace Tribody
 
 
 
+      /// Some file systems of clusters have no locks. A run must not fail for
+      /// that.
+      bool
+      is_without_locks(const int error)
+      {
+        return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP;
+      }
+
+
+
       /// Whether @p lock, LOCK_EX or LOCK_SH, was to be had.
       bool
       try_lock(const int descriptor, const int lock)
@@ -33,7 +43,8 @@ namespace Tribody
         // One that only looks, see is_locked(), is gone in no time.
         for (unsigned int attempt = 0; attempt < 5; ++attempt)
           {
-            if (flock(descriptor, lock | LOCK_NB) == 0)
+            if (flock(descriptor, lock | LOCK_NB) == 0 ||
+                is_without_locks(errno))
               return true;
             if (errno != EWOULDBLOCK)
               fail(errno);
@@ -88,7 +99,10 @@ namespace Tribody
         fail(errno);
       if (reserve <= 0)
         return;
-      const int error = posix_fallocate(descriptor, 0, text.size() + reserve);
+      int error = 0;
+      do
+        error = posix_fallocate(descriptor, 0, text.size() + reserve);
+      while (error == EINTR);
       // Some file systems have no such thing.
       if (error != 0 && error != EOPNOTSUPP && error != EINVAL)
         fail(error);

@@ -60,6 +60,10 @@ main()
   check("3 N m/(s**-1 rad)", "N m s/rad", 3.);
   check("0 m", "m", 0.);
   check("20 degC", "K", 293.15);
+  check("7e-15 1/Pa", "Pa^-1", 7e-15);
+  check("1e5 1 / mm", "m^-1", 1e8);
+  check("0.5 rev/s", "rad/s", M_PI);
+  check("1 lbm", "kg", 0.45359237);
 
   refuse("9.525", "m");
   refuse("9.525 kg", "m");
@@ -73,6 +77,8 @@ main()
   refuse("", "m");
   refuse("9 .525 mm", "m");
   refuse("9,525 mm", "m");
+  refuse("9 1/8 in", "m");
+  refuse("45 Grad", "rad");
 
   // The reciprocal of the wanted unit, of radians too, which UDUNITS takes for
   // the number 1; a power of them too many.

@@ -2,8 +2,8 @@
 
 // A square of 2 by 1 cells in Gmsh's formats 2 and 4.1, and files that are
 // none. Known from how they are made: 6 nodes that cells have, of 7, 2 cells,
-// and of the 3 lines one in the group 5 and one in 5 and 6. What is wrong
-// stands beside it.
+// and of the 3 lines one in the group 5 and one in 5 and 6; a minus tells that
+// it is the curve the other way round. What is wrong stands beside it.
 
 #include <sys/stat.h>
 
@@ -28,7 +28,7 @@ const std::string elements_2 =
 const std::string file_4 =
   "$MeshFormat\r\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 5 \"bore\"\n"
   "$EndPhysicalNames\n$Entities\n1 2 1 0\n1 0 0 0 0\n1 0 0 0 1 0 0 1 5 2 1 -1\n"
-  "2 1 0 0 2 0 0 2 5 6 0\n1 0 0 0 2 1 0 0 0\n$EndEntities\n"
+  "2 1 0 0 2 0 0 2 -5 6 0\n1 0 0 0 2 1 0 0 0\n$EndEntities\n"
   "$Nodes\n2 7 1 10\n1 1 1 3\n10\n1\n2\n0 0 0 0\n1 0 0 1\n2 0 0 2\n"
   "2 1 0 4\n3\n4\n5\n6\n0 1 0\n1 1 0\n2 1 0\n9 9 9\n$EndNodes\n"
   "$Elements\n3 4 1 4\n1 1 1 1\n1 10 1\n1 2 1 1\n2 1 2\n2 1 3 2\n"

@@ -44,7 +44,8 @@ namespace Tribody
    * be remembered instead of ending the program, so that a run can write what
    * it has reached; a line on stderr says so. A second signal ends the program.
    * SIGPIPE is ignored: who no longer reads what a run says does not mean to
-   * end it.
+   * end it; and SIGXFSZ, so that a file that may not grow is an error like a
+   * full disk.
    * @param says whether this rank says so.
    */
   void

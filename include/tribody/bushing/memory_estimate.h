@@ -22,7 +22,10 @@ namespace Tribody
      * nodes of the bore, and the factors of the stiffness of @f$ N @f$
      * unknowns,
      * @f[ 8 c n^2 + N (a + b \log_2 N). @f]
-     * Of a mesh from a file, whose nodes are not known yet, it says 0.
+     * Of a mesh from a file, whose nodes are not known yet, it says 0. Of cells
+     * that ranks share, which may be too many for one of them, it says nothing:
+     * the matrices are all that is counted then. The program itself, some
+     * 170 MB, comes on top.
      */
     double
     estimate_memory(const BushingParameters          &bushing,
@@ -39,8 +42,7 @@ namespace Tribody
 
     /**
      * @throws ExcParameter if this machine cannot hold the bushing together
-     * with
-     * @p others [bytes], with the parameter that decides.
+     * with @p others [bytes], with the parameter that decides.
      */
     void
     check_memory(const BushingParameters          &bushing,

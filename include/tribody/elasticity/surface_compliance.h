@@ -32,14 +32,11 @@ namespace Tribody
     /**
      * The compliance without its rounding errors: a compliance is symmetric.
      * @param body for the message.
-     * @param largest_asymmetry that may be rounding, or what an iterative
-     *   solver leaves, as a fraction of the largest entry.
-     * @throws ExcRun if more than rounding is missing to symmetry.
+     * @throws ExcRun if more is missing to symmetry than the rounding of a
+     *   million equations, or what an iterative solver leaves of them.
      */
     Eigen::MatrixXd
-    symmetric_part(const Eigen::MatrixXd &compliance,
-                   const std::string     &body,
-                   const double           largest_asymmetry = 1e-10);
+    symmetric_part(const Eigen::MatrixXd &compliance, const std::string &body);
   } // namespace Elasticity
 } // namespace Tribody
 

@@ -12,7 +12,8 @@ namespace Tribody
     /**
      * A lock on a file, which tells that its directory is in use. It belongs to
      * the file itself, by whatever name or link it is reached, moves with it,
-     * and ends with the process. See flock(2).
+     * and ends with the process. See flock(2). On a file system without locks
+     * it is to be had by everyone.
      */
     class DirectoryLock
     {
