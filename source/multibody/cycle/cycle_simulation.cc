@@ -727,6 +727,13 @@ namespace Tribody
           return needs_more_samples(recorded, arcs, n);
         },
         !goes_on || before->settling.converged);
+      if (goes_on && !before->settling.converged && !cycle.settling.converged)
+        {
+          // It goes on as it was; one cycle says nothing about its changes.
+          cycle.settling.repeat_difference = before->settling.repeat_difference;
+          cycle.settling.distance          = before->settling.distance;
+          cycle.settling.decay             = before->settling.decay;
+        }
       cycle.settling.message =
         describe_settling(cycle.settling, start.report.message);
       judge_creep(mechanism, closed_equations, cycle);
