@@ -14,7 +14,6 @@
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/elasticity/stress_postprocessor.h>
 #include <tribody/output/bushing_vtu.h>
-#include <tribody/surface/periodic_profile.h>
 #include <tribody/surface/turned_interpolation.h>
 
 #include <algorithm>
@@ -67,10 +66,9 @@ namespace Tribody
       , surface(make_bore_surface(geometry.bore_nodes().positions,
                                   geometry.bore_nodes().degree))
     {
-      const PeriodicProfile wall =
-        Elasticity::wall_thickness(*triangulation, joint.bushing_radius);
-      node_walls = geometry.bore_nodes().angles.unaryExpr(
-        [&](const double angle) { return wall.value(angle); });
+      node_walls = Elasticity::wall_thickness(*triangulation,
+                                              joint.bushing_radius,
+                                              geometry.bore_nodes().angles);
       if (parameters.rim_support.is_housing())
         ring_housing =
           Contact::Housing{elasticity.rim_surface(),

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -300,52 +299,89 @@ namespace Tribody
 
     namespace
     {
-      // Of the vertices of the rim: angle [rad] and thickness of the wall [m].
-      std::map<double, double>
-      walls_at_rim(const dealii::Triangulation<2, 2> &triangulation,
-                   const double                       inner_radius)
+      // A piece of the outside as a curve r(phi), by its begin, middle and end:
+      // the angle of the middle, those of the ends against it [rad] and the
+      // distances of all three from the origin [m].
+      struct OutsidePiece
       {
-        std::map<double, double> own, all;
+        double angle, begin, end;
+        double r_begin, r_middle, r_end;
+
+        /// Infinite beyond the ends.
+        double
+        distance(const double at_angle) const
+        {
+          // Ends of neighbours differ by rounding.
+          constexpr double same = 1e-9;
+
+          const double x =
+            std::remainder(at_angle - angle, 2. * dealii::numbers::PI);
+          if (x < std::min({begin, end, 0.}) - same ||
+              x > std::max({begin, end, 0.}) + same)
+            return std::numeric_limits<double>::infinity();
+          const auto [nearest, farthest] =
+            std::minmax({r_begin, r_middle, r_end});
+          // Along a ray, or back again.
+          if (std::min(begin, end) > -same || std::max(begin, end) < same)
+            return nearest;
+          const double parabola =
+            r_begin * x * (x - end) / (begin * (begin - end)) +
+            r_middle * (x - begin) * (x - end) / (begin * end) +
+            r_end * x * (x - begin) / (end * (end - begin));
+          return std::clamp(parabola, nearest, farthest);
+        }
+      };
+
+
+
+      // All of the boundary but the bore, on all ranks.
+      std::vector<OutsidePiece>
+      outside_of(const dealii::Triangulation<2, 2> &triangulation)
+      {
+        std::vector<double> own;
         for (const auto &cell : triangulation.active_cell_iterators() |
                                   dealii::IteratorFilters::LocallyOwnedCell())
           for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
-              for (const unsigned int v : face->vertex_indices())
+            if (face->at_boundary() && face->boundary_id() != BoundaryIds::bore)
+              for (const dealii::Point<2> &x :
+                   {face->vertex(0),
+                    face->center(/*respect_manifold = */ true),
+                    face->vertex(1)})
                 {
-                  const dealii::Point<2> x    = face->vertex(v);
-                  own[std::atan2(x[1], x[0])] = x.norm() - inner_radius;
+                  own.push_back(std::atan2(x[1], x[0]));
+                  own.push_back(x.norm());
                 }
-        for (const auto &of_rank : dealii::Utilities::MPI::all_gather(
+        std::vector<OutsidePiece> pieces;
+        for (const std::vector<double> &p : dealii::Utilities::MPI::all_gather(
                triangulation.get_communicator(), own))
-          all.insert(of_rank.begin(), of_rank.end());
-        return all;
+          for (std::size_t i = 0; i < p.size(); i += 6)
+            {
+              const double turn = 2. * dealii::numbers::PI;
+              pieces.push_back({p[i + 2],
+                                std::remainder(p[i] - p[i + 2], turn),
+                                std::remainder(p[i + 4] - p[i + 2], turn),
+                                p[i + 1],
+                                p[i + 3],
+                                p[i + 5]});
+            }
+        return pieces;
       }
     } // namespace
 
 
 
-    PeriodicProfile
+    Eigen::VectorXd
     wall_thickness(const dealii::Triangulation<2, 2> &triangulation,
-                   const double                       inner_radius)
+                   const double                       inner_radius,
+                   const Eigen::VectorXd             &angles)
     {
-      // The same vertex has angles that differ by rounding on two ranks.
-      constexpr double    same = 1e-9;
-      std::vector<double> angles, walls;
-      for (const auto &[angle, wall] :
-           walls_at_rim(triangulation, inner_radius))
-        if (angles.empty() || angle > angles.back() + same)
-          {
-            angles.push_back(angle);
-            walls.push_back(wall);
-          }
-      if (angles.back() > angles.front() + 2. * dealii::numbers::PI - same)
-        {
-          angles.pop_back();
-          walls.pop_back();
-        }
-      return PeriodicProfile(
-        Eigen::Map<Eigen::VectorXd>(angles.data(), angles.size()),
-        Eigen::Map<Eigen::VectorXd>(walls.data(), walls.size()));
+      const std::vector<OutsidePiece> pieces = outside_of(triangulation);
+      return angles.unaryExpr([&](const double angle) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const OutsidePiece &piece : pieces)
+          nearest = std::min(nearest, piece.distance(angle));
+        return nearest - inner_radius;
+      });
     }
 
 
@@ -355,10 +391,15 @@ namespace Tribody
                   const double                       inner_radius)
     {
       double thinnest = std::numeric_limits<double>::max();
-      for (const auto &[angle, wall] :
-           walls_at_rim(triangulation, inner_radius))
-        thinnest = std::min(thinnest, wall);
-      return thinnest;
+      for (const auto &cell : triangulation.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == BoundaryIds::rim)
+            for (const unsigned int v : face->vertex_indices())
+              thinnest =
+                std::min(thinnest, face->vertex(v).norm() - inner_radius);
+      return dealii::Utilities::MPI::min(thinnest,
+                                         triangulation.get_communicator());
     }
 
 

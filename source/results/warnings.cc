@@ -178,8 +178,10 @@ namespace Tribody
              " cycles: pressures and depths oscillate from node to node. "
              "Choose shorter steps, a coarser mesh, or 'Wear/Extrapolation = "
              "implicit'"});
+      // Before the first step it may not have been looked for.
       if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
-          !results.bushings.empty() && state.mesh_errors.empty())
+          !results.bushings.empty() && state.cycles > 0. &&
+          state.mesh_errors.empty())
         warnings.push_back(
           {"no_mesh_error",
            "",

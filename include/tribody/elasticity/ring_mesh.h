@@ -5,7 +5,7 @@
 
 #include <deal.II/base/point.h>
 
-#include <tribody/surface/periodic_profile.h>
+#include <Eigen/Core>
 
 #include <string>
 
@@ -88,11 +88,13 @@ namespace Tribody
                   const std::string           &path,
                   dealii::Triangulation<2, 2> &triangulation);
 
-    /// How thick the unworn wall is between the bore of @p inner_radius and the
-    /// rim, over the angle [m].
-    PeriodicProfile
+    /// How thick the unworn wall is at each of the @p angles [rad], from the
+    /// bore of @p inner_radius to the first boundary that a ray meets, be it
+    /// the rim or a hole [m].
+    Eigen::VectorXd
     wall_thickness(const dealii::Triangulation<2, 2> &triangulation,
-                   const double                       inner_radius);
+                   const double                       inner_radius,
+                   const Eigen::VectorXd             &angles);
 
     /// The thinnest place between the bore of @p inner_radius and the vertices
     /// of the rim [m].

@@ -37,8 +37,8 @@ namespace Tribody
       double sampling = 0.;
       /// By the inertia that pins which follow their bores leave out.
       double inertia = 0.;
-      /// As the motion has not settled: of the mean force over the cycles that
-      /// were averaged, or its change from cycle to cycle.
+      /// As the motion has not settled: its distance from one that repeats, or
+      /// of the mean of force times sliding over the cycles that were averaged.
       double settling = 0.;
       /// Of the integrated motion.
       double integration = 0.;
