@@ -61,20 +61,22 @@ namespace Tribody
       int                     first_elsewhere = -1;
       unsigned int            cycle           = 0;
       bool                    is_back         = false;
-      while (!is_back && cycle < most_cycles)
+      bool                    has_locked      = false;
+      while (!is_back && !has_locked && cycle < most_cycles)
         {
-          for (unsigned int k = 1; k <= n_steps; ++k)
-            if (!solve_positions(
-                   equations, (cycle + 1. * k / n_steps) * period, none, q)
-                   .converged)
-              cycle = most_cycles;
+          for (unsigned int k = 1; k <= n_steps && !has_locked; ++k)
+            has_locked = !solve_positions(equations,
+                                          (cycle + 1. * k / n_steps) * period,
+                                          none,
+                                          q)
+                            .converged;
           ++cycle;
           const int body = find_body_elsewhere(mechanism, start, q);
-          is_back        = body < 0;
+          is_back        = body < 0 && !has_locked;
           if (cycle == 1)
             first_elsewhere = body;
         }
-      if (first_elsewhere < 0 && cycle == 1)
+      if (is_back && cycle == 1)
         return;
       throw ExcParameter(
         "Drivers",
@@ -85,9 +87,11 @@ namespace Tribody
           (is_back
              ? ". All are back after " + significant_digits(cycle * period, 6) +
                  " s: write that in 'Dynamics/Cycle duration'"
-             : ", and not all are back after " + std::to_string(most_cycles) +
-                 " cycles either. Set 'Dynamics/Cycle duration' to a "
-                 "time after which all repeats"));
+             : (has_locked ? ", and the mechanism locks later on"
+                           : ", and not all are back after " +
+                               std::to_string(most_cycles) + " cycles either") +
+                 std::string(". Set 'Dynamics/Cycle duration' to a "
+                             "time after which all repeats")));
     }
 
 

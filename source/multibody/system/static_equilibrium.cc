@@ -189,6 +189,8 @@ namespace Tribody
         const unsigned int    n              = mechanism.n_coordinates();
         const unsigned int    m              = mechanism.n_constraints();
         const Eigen::VectorXd inverse_scales = scales.cwiseInverse();
+        // Rows of Phi_q that are so to this depend on each other.
+        constexpr double dependent = 1e-10;
 
         Balance balance;
         balance.forces      = applied_forces(q).cwiseProduct(inverse_scales);
@@ -205,14 +207,20 @@ namespace Tribody
         else
           {
             Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(columns);
-            decomposition.setThreshold(1e-10);
+            decomposition.setThreshold(dependent);
             const Eigen::MatrixXd basis = decomposition.householderQ();
             balance.free = basis.rightCols(n - decomposition.rank());
             if (mechanism.n_redundant() == 0)
               multipliers = decomposition.solve(balance.forces);
-            else // of least norm, as they are not unique
-              multipliers =
-                columns.completeOrthogonalDecomposition().solve(balance.forces);
+            else
+              {
+                // Of least norm, as they are not unique. Redundant rows depend
+                // on each other but for the roundings of the position.
+                Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least;
+                least.setThreshold(dependent);
+                least.compute(columns);
+                multipliers = least.solve(balance.forces);
+              }
             balance.multipliers =
               multipliers.cwiseProduct(compute_constraint_scales(mechanism));
           }
