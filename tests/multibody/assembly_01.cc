@@ -19,8 +19,8 @@
 // weight and inertia. A guide that contradicts is refused, a link stretched to
 // its change point too.
 //
-// Equilibrium: a beam on two pins with clearance, as loaded in the middle as
-// not. A rocking arm held by a stiff spring a hundred lengths from the origin.
+// Equilibrium: a rocking arm held by a stiff spring a hundred lengths from the
+// origin.
 
 #include "report.h"
 #include <tribody/base/exceptions.h>
