@@ -203,7 +203,7 @@ namespace Tribody
 
 
     void
-    RunRecorder::open_history()
+    RunRecorder::open_history(const std::string &file_name)
     {
       std::vector<std::string> columns = {"cycles [-]", "wear_step [-]"};
       for (const BushingParameters &bushing : parameters.bushings)
@@ -217,7 +217,7 @@ namespace Tribody
                                    "pin_worn_volume [m^3]"})
           columns.push_back(bushing.name + " " + column);
       history = std::make_unique<TableWriter>(
-        directory.file("history.csv"),
+        file_name,
         std::vector<std::string>(
           {"A row per wear step. Depth: largest of the bore. Volume: measured "
            "on the worn mesh. Forces: largest total and mean normal force of "
@@ -237,8 +237,10 @@ namespace Tribody
     {
       if (bushings.empty())
         return;
+      // A directory that is gone is told now, not at the next output.
+      const std::string file_name = directory.file("history.csv");
       if (history == nullptr)
-        open_history();
+        open_history(file_name);
 
       std::vector<double> row = {state.cycles,
                                  static_cast<double>(state.counts.wear_steps)};

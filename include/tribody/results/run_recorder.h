@@ -68,7 +68,7 @@ namespace Tribody
 
     private:
       void
-      open_history();
+      open_history(const std::string &file_name);
 
       std::string
       vtu_name() const;
