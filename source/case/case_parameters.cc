@@ -267,8 +267,10 @@ namespace Tribody
           }
         throw ExcParameter(path,
                            "there is no material '" + name +
-                             "'; 'Materials' lists: " +
-                             boost::algorithm::join(names, ", "));
+                             (names.empty()
+                                ? "'; 'Materials' is empty"
+                                : "'; 'Materials' lists: " +
+                                    boost::algorithm::join(names, ", ")));
       }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/warnings.h>
@@ -28,18 +29,37 @@ namespace Tribody
 
 
 
+      bool
+      knows_mesh_error(const BushingResults &results, const RunState &state)
+      {
+        return results.number < state.mesh_errors.size() &&
+               state.mesh_errors[results.number].covers_whole_run;
+      }
+
+
+
+      std::string
+      describe_depth_error(const BushingResults &results, const RunState &state)
+      {
+        return significant_digits(100. * results.depth_relative_error(), 2) +
+               (knows_mesh_error(results, state)
+                  ? " %"
+                  : " % and the unknown error of the mesh");
+      }
+
+
+
       void
       print_surface(std::ostream         &out,
                     const char           *name,
                     const char           *frame,
                     const SurfaceResults &surface,
-                    const double          depth_relative_error)
+                    const std::string    &depth_error)
       {
         out << "    " << name << ": maximum depth " << std::setprecision(4)
             << surface.max_wear_depth * 1e3 << " mm";
         if (surface.max_wear_depth > 0.)
-          out << " \u00b1 " << std::setprecision(2)
-              << 100. * depth_relative_error << " %" << std::setprecision(4);
+          out << " \u00b1 " << depth_error;
         out << " at " << Units::degrees(surface.max_wear_angle) << " deg"
             << frame << ", volume " << surface.worn_volume * 1e9
             << " mm^3, mass " << surface.worn_mass * 1e3 << " g" << std::endl;
@@ -139,9 +159,9 @@ namespace Tribody
                     const RunState          &state,
                     const unsigned int       contact_losses)
       {
-        const CycleContact &contact = state.joints[results.number].contact;
-        print_surface(
-          out, "bushing", "", results.bushing, results.depth_relative_error());
+        const CycleContact &contact     = state.joints[results.number].contact;
+        const std::string   depth_error = describe_depth_error(results, state);
+        print_surface(out, "bushing", "", results.bushing, depth_error);
         out << "    contact (" << name_of(parameters.pressure_model)
             << "): largest pressure " << contact.max_pressure * 1e-6
             << " MPa, half-angle at the largest force "
@@ -150,11 +170,8 @@ namespace Tribody
         double balance = results.bushing.volume_balance_relative_error;
         if (results.pin)
           {
-            print_surface(out,
-                          "pin",
-                          " of its own frame",
-                          *results.pin,
-                          results.depth_relative_error());
+            print_surface(
+              out, "pin", " of its own frame", *results.pin, depth_error);
             balance =
               std::max(balance, results.pin->volume_balance_relative_error);
           }
@@ -367,9 +384,12 @@ namespace Tribody
         out << "  estimated error of the depth: " << std::setprecision(2)
             << 100. * results.depth_relative_error() << " % ("
             << least_known->name << ": wear steps "
-            << 100. * least_known->step_error() << " %, mesh "
-            << 100. * least_known->mesh_error << " %, samples "
-            << 100. * motion.sampling << " %, motion "
+            << 100. * least_known->step_error() << " %, mesh ";
+        if (knows_mesh_error(*least_known, results.state))
+          out << 100. * least_known->mesh_error << " %";
+        else
+          out << "unknown";
+        out << ", samples " << 100. * motion.sampling << " %, motion "
             << 100. * (motion.inertia + motion.settling + motion.integration +
                        motion.creep)
             << " %); of the volume by the wear steps: "

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/base/significant_digits.h>
-#include <tribody/base/units.h>
 #include <tribody/results/warnings.h>
 
 #include <algorithm>
@@ -112,10 +111,7 @@ namespace Tribody
             {"held_by_friction",
              joint.name,
              "friction holds this joint: all of its " +
-               Units::to_string(std::stod(
-                                  significant_digits(joint.creep_distance, 2)),
-                                "m",
-                                "mm") +
+               significant_digits(1e3 * joint.creep_distance, 2) + " mm" +
                " per cycle is creep of the friction law, which is smooth at "
                "rest, and does not count as sliding; nothing wears. If it does "
                "slide that slowly, lower 'Joint " +
