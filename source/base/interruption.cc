@@ -16,6 +16,13 @@ namespace Tribody
       "Stopping after this step, to write what is reached; again to stop at "
       "once.\n";
 
+    // As the program is called: libraries set handlers of their own later.
+    const bool hangup_is_ignored = []() {
+      struct sigaction before = {};
+      sigaction(SIGHUP, nullptr, &before);
+      return before.sa_handler == SIG_IGN;
+    }();
+
     // What a signal handler may write to.
     volatile std::sig_atomic_t interrupting = 0;
     volatile std::sig_atomic_t says_so      = 0;
@@ -70,12 +77,13 @@ namespace Tribody
     std::signal(SIGXFSZ, SIG_IGN);
     for (const int signal : watched)
       {
-        struct sigaction before = {};
-        sigaction(signal, nullptr, &before);
         // nohup asks for it. Shells ignore SIGINT for what a script has put in
         // the background, though, and Ctrl-C is to stop all of that.
-        if (signal == SIGHUP && before.sa_handler == SIG_IGN)
-          continue;
+        if (signal == SIGHUP && hangup_is_ignored)
+          {
+            std::signal(signal, SIG_IGN);
+            continue;
+          }
         struct sigaction action = {};
         action.sa_handler       = remember_signal;
         action.sa_flags         = SA_RESTART;
