@@ -40,8 +40,7 @@ namespace Tribody
       find_free_coordinates(const EquationsOfMotion &equations,
                             const Eigen::VectorXd   &q)
       {
-        // Less, beside what moves most, is left of a direction that is nearly
-        // tied to others.
+        // Less is left of a direction that is nearly tied to others.
         constexpr double          least     = 0.05;
         const Mechanism          &mechanism = equations.mechanism();
         const Eigen::Index        n         = q.size();
@@ -54,14 +53,12 @@ namespace Tribody
         const Eigen::MatrixXd basis = decomposition.householderQ();
         // Columns: what is left free, less with each coordinate that is found.
         Eigen::MatrixXd free = basis.rightCols(n - decomposition.rank());
-        const double    most =
-          free.cols() > 0 ? free.rowwise().norm().maxCoeff() : 0.;
         for (Eigen::Index body = 0; body < n / 3; ++body)
           for (const Eigen::Index i : {3 * body + 2, 3 * body, 3 * body + 1})
             {
               const Eigen::VectorXd direction = free.row(i);
               const double          left      = direction.norm();
-              if (free.cols() == 0 || left < least * most)
+              if (free.cols() == 0 || left < least)
                 continue;
               result.push_back(i);
               // A reflection makes it the first column, which is dropped.
@@ -159,9 +156,7 @@ namespace Tribody
       const ConstraintOffsets none(mechanism.n_constraints());
       if (find_largest_change(mechanism, given, q) < 1e-12)
         return q;
-      const auto free = find_free_coordinates(equations, q);
-      if (free.empty())
-        return q;
+      const auto      free     = find_free_coordinates(equations, q);
       Eigen::VectorXd moved    = q;
       Eigen::VectorXd mobility = Eigen::VectorXd::Ones(q.size());
       for (const Eigen::Index i : free)
