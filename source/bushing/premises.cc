@@ -28,20 +28,46 @@ namespace Tribody
 
 
 
+    namespace
+    {
+      Strains
+      strains_under(const WearingBushing            &bushing,
+                    const Multibody::JointDutyCycle &cycle,
+                    const double                     pressure)
+      {
+        const Material &material = bushing.joint_parameters().bushing_material;
+        Strains         strains;
+        strains.pressure =
+          pressure / material.youngs_modulus *
+          (1. - material.poissons_ratio * material.poissons_ratio);
+        if (cycle.has_contact_law)
+          strains.displacement =
+            std::max(0., cycle.penetration.maxCoeff()) / bushing.wall();
+        return strains;
+      }
+    } // namespace
+
+
+
     Strains
     compute_strains(const WearingBushing            &bushing,
                     const Multibody::JointDutyCycle &cycle,
                     const CycleContact              &contact)
     {
-      const Material &material = bushing.joint_parameters().bushing_material;
-      Strains         strains;
-      strains.pressure =
-        contact.max_pressure / material.youngs_modulus *
-        (1. - material.poissons_ratio * material.poissons_ratio);
-      if (cycle.has_contact_law)
-        strains.displacement =
-          std::max(0., cycle.penetration.maxCoeff()) / bushing.wall();
-      return strains;
+      return strains_under(bushing, cycle, contact.max_pressure);
+    }
+
+
+
+    Strains
+    compute_least_strains(const WearingBushing            &bushing,
+                          const Multibody::JointDutyCycle &cycle)
+    {
+      return strains_under(bushing,
+                           cycle,
+                           cycle.normal_force.maxCoeff() /
+                             (2. * bushing.joint_parameters().bushing_radius *
+                              bushing.bushing_parameters().axial_length));
     }
 
 

@@ -57,7 +57,11 @@ namespace Tribody
     WearProcess::renew_duty_cycle(const Multibody::DutyCycle &cycle)
     {
       for (const WearingBushing &bushing : joint_bushings)
-        check_pin_in_bore(bushing, cycle.joint(bushing.name()), cycle.time);
+        {
+          const auto &joint = cycle.joint(bushing.name());
+          check_pin_in_bore(bushing, joint, cycle.time);
+          check_strains(compute_least_strains(bushing, joint), bushing.name());
+        }
       const bool was_quasi_static  = run_state.duty_cycle.is_quasi_static;
       run_state.duty_cycle         = cycle;
       run_state.cycles_at_dynamics = run_state.cycles;

@@ -44,6 +44,12 @@ namespace Tribody
                     const Multibody::JointDutyCycle &cycle,
                     const CycleContact              &contact);
 
+    /// What they are at least under @p cycle, before any contact is solved: the
+    /// largest pressure is not less than the force over the projected area.
+    Strains
+    compute_least_strains(const WearingBushing            &bushing,
+                          const Multibody::JointDutyCycle &cycle);
+
     /// For the user; empty if they are small.
     std::string
     describe(const Strains &strains);
