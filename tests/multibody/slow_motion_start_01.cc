@@ -168,7 +168,7 @@ pendulum(const JointModel model)
   report_below(
     "  place of the pin over c, error",
     (s.eccentricity(0) / clearance - Eigen::Vector2d::UnitY()).norm(),
-    1.1 * clearance / length);
+    3.3 * clearance / length);
   report_below("  speed [m/s]", s.start.state.v.norm(), 1e-12);
   if (model == JointModel::clearance)
     report_below("  force over m g/4, error",
