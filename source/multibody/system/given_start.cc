@@ -11,6 +11,7 @@
 #include <tribody/multibody/system/given_start.h>
 #include <tribody/multibody/system/kinematics.h>
 #include <tribody/multibody/system/mechanism.h>
+#include <tribody/multibody/system/sparse_jacobian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +155,10 @@ namespace Tribody
     {
       const Mechanism        &mechanism = equations.mechanism();
       const ConstraintOffsets none(mechanism.n_constraints());
-      if (find_largest_change(mechanism, given, q) < 1e-12)
+      // The search for free coordinates takes the third power of their number:
+      // many bodies stay where the way to them was shortest.
+      if (find_largest_change(mechanism, given, q) < 1e-12 ||
+          mechanism.n_constraints() > largest_dense_jacobian)
         return q;
       const auto      free     = find_free_coordinates(equations, q);
       Eigen::VectorXd moved    = q;
