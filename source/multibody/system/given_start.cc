@@ -35,8 +35,9 @@ namespace Tribody
 
 
 
-      // The first coordinates, body by body and angles first, that the
-      // constraints and those before leave free at q.
+      // The first angles, body by body, that the constraints and those before
+      // leave free at q. Not positions: a body beside its guide is meant to be
+      // at the nearest place on it, not at that with the same x.
       std::vector<Eigen::Index>
       find_free_coordinates(const EquationsOfMotion &equations,
                             const Eigen::VectorXd   &q)
@@ -54,21 +55,20 @@ namespace Tribody
         const Eigen::MatrixXd basis = decomposition.householderQ();
         // Columns: what is left free, less with each coordinate that is found.
         Eigen::MatrixXd free = basis.rightCols(n - decomposition.rank());
-        for (Eigen::Index body = 0; body < n / 3; ++body)
-          for (const Eigen::Index i : {3 * body + 2, 3 * body, 3 * body + 1})
-            {
-              const Eigen::VectorXd direction = free.row(i);
-              const double          left      = direction.norm();
-              if (free.cols() == 0 || left < least)
-                continue;
-              result.push_back(i);
-              // A reflection makes it the first column, which is dropped.
-              Eigen::VectorXd normal = direction / left;
-              normal(0) += normal(0) < 0. ? -1. : 1.;
-              free -= (2. / normal.squaredNorm() * (free * normal)) *
-                      normal.transpose();
-              free = free.rightCols(free.cols() - 1).eval();
-            }
+        for (Eigen::Index i = 2; i < n; i += 3)
+          {
+            const Eigen::VectorXd direction = free.row(i);
+            const double          left      = direction.norm();
+            if (free.cols() == 0 || left < least)
+              continue;
+            result.push_back(i);
+            // A reflection makes it the first column, which is dropped.
+            Eigen::VectorXd normal = direction / left;
+            normal(0) += normal(0) < 0. ? -1. : 1.;
+            free -= (2. / normal.squaredNorm() * (free * normal)) *
+                    normal.transpose();
+            free = free.rightCols(free.cols() - 1).eval();
+          }
         return result;
       }
 
