@@ -6,7 +6,6 @@
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim_all.hpp>
 #include <nlohmann/json.hpp>
@@ -145,17 +144,6 @@ namespace Tribody
     beside(const std::string &location, const std::string &name)
     {
       return (std::filesystem::path(location).parent_path() / name).string();
-    }
-
-
-
-    // @p message, in which @p value is repeated in quotes.
-    std::string
-    with_short_value(const std::string &message, const std::string &value)
-    {
-      return boost::algorithm::replace_all_copy(message,
-                                                "'" + value + "'",
-                                                in_quotes(value));
     }
 
 
