@@ -8,7 +8,7 @@
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/contact/force_sensitivity.h>
-#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/joints/bearing_loads.h>
 #include <tribody/wear/constant_extrapolation.h>
 
 #include <algorithm>
@@ -71,28 +71,27 @@ namespace Tribody
 
 
     CycleContact
-    WearingBushing::compute_cycle_contact(
-      const Eigen::VectorXd           &depth,
-      const Multibody::JointDutyCycle &cycle,
-      const CycleContact              *similar,
-      const double                     sliding_distance) const
+    WearingBushing::compute_cycle_contact(const Eigen::VectorXd         &depth,
+                                          const Multibody::BearingLoads &loads,
+                                          const CycleContact *similar,
+                                          const double sliding_distance) const
     {
       return compute_contact(
-        depth, cycle, similar, Nodes::solved, sliding_distance);
+        depth, loads, similar, Nodes::solved, sliding_distance);
     }
 
 
 
     CycleContact
-    WearingBushing::compute_held_contact(const Eigen::VectorXd           &depth,
-                                         const Multibody::JointDutyCycle &cycle,
-                                         const CycleContact              &held,
+    WearingBushing::compute_held_contact(const Eigen::VectorXd         &depth,
+                                         const Multibody::BearingLoads &loads,
+                                         const CycleContact            &held,
                                          const double sliding_distance) const
     {
       AssertDimension(held.samples.size(),
-                      static_cast<std::size_t>(cycle.normal_force.size()));
+                      static_cast<std::size_t>(loads.size()));
       return compute_contact(
-        depth, cycle, &held, Nodes::held, sliding_distance);
+        depth, loads, &held, Nodes::held, sliding_distance);
     }
 
 
@@ -111,9 +110,9 @@ namespace Tribody
 
 
     CycleContact
-    WearingBushing::face_surfaces(const Eigen::VectorXd           &depth,
-                                  const Multibody::JointDutyCycle &cycle,
-                                  const CycleContact              *similar,
+    WearingBushing::face_surfaces(const Eigen::VectorXd         &depth,
+                                  const Multibody::BearingLoads &loads,
+                                  const CycleContact            *similar,
                                   const double sliding_distance) const
     {
       const Wear::WearProfile worn = profile_for_depth(depth);
@@ -128,17 +127,17 @@ namespace Tribody
       if (pin)
         {
           contact.facings =
-            pin->face(cycle, similar == nullptr ? nullptr : &similar->facings);
+            pin->face(loads, similar == nullptr ? nullptr : &similar->facings);
           Wear::WearProfile worn_pin = pin->profile();
           worn_pin.depth             = surfaces().back().part_of(depth);
           contact.area_derivative.tail(worn_pin.depth.size()) =
             worn_pin.area_derivative(worn_pin.surface());
         }
-      contact.samples.resize(cycle.normal_force.size());
-      for (Eigen::Index j = 0; j < cycle.normal_force.size(); ++j)
+      contact.samples.resize(loads.size());
+      for (Eigen::Index j = 0; j < loads.size(); ++j)
         contact.slidings.push_back(
-          {cycle.sliding_increment[j],
-           cycle.sliding_speed.size() > 0 ? cycle.sliding_speed[j] : 0.,
+          {loads.sliding_increment[j],
+           loads.sliding_speed.size() > 0 ? loads.sliding_speed[j] : 0.,
            sliding_distance});
       return contact;
     }
@@ -146,14 +145,14 @@ namespace Tribody
 
 
     CycleContact
-    WearingBushing::compute_contact(const Eigen::VectorXd           &depth,
-                                    const Multibody::JointDutyCycle &cycle,
-                                    const CycleContact              *similar,
-                                    const Nodes                      nodes,
+    WearingBushing::compute_contact(const Eigen::VectorXd         &depth,
+                                    const Multibody::BearingLoads &loads,
+                                    const CycleContact            *similar,
+                                    const Nodes                    nodes,
                                     const double sliding_distance) const
     {
       CycleContact contact =
-        face_surfaces(depth, cycle, similar, sliding_distance);
+        face_surfaces(depth, loads, similar, sliding_distance);
       Eigen::VectorXd pin_depth;
       if (pin)
         pin_depth = surfaces().back().part_of(depth);
@@ -164,12 +163,10 @@ namespace Tribody
                                     parameters.contact_solver,
                                     elastic.housing());
 
-      // Samples are equally spaced, and follow from the two before with few
-      // nodes to change; the same sample on a similar bore differs less. But a
-      // cycle before may have had fewer samples: where the motion does not
-      // settle, several cycles are recorded as one. Each rank begins its own
-      // sequence.
-      const Eigen::Index n_samples = cycle.normal_force.size();
+      // Loads mostly follow from the two before with few nodes to change; the
+      // same load on a similar bore differs less. But a cycle before may have
+      // had fewer. Each rank begins its own sequence.
+      const Eigen::Index n_samples = loads.size();
       const bool         has_similar_samples =
         similar != nullptr &&
         static_cast<Eigen::Index>(similar->samples.size()) == n_samples;
@@ -187,14 +184,14 @@ namespace Tribody
             if (pin)
               solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
             Contact::ContactSolution &solution = contact.samples[j];
-            const Eigen::Vector2d     force    = force_per_length(cycle, j);
+            const Eigen::Vector2d     force    = force_per_length(loads, j);
             solution =
               nodes == Nodes::held
                 ? solver.solve_held(force, start.value())
                 : solver.solve_force_controlled(force,
                                                 start ? &*start : nullptr);
             AssertThrow(nodes == Nodes::held || solution.report.converged,
-                        ExcRun(unsolved_contact(cycle, j, solution.report)));
+                        ExcRun(unsolved_contact(loads, j, solution.report)));
 
             add_wear(contact, j);
             contact.peak_pressure =
@@ -205,7 +202,7 @@ namespace Tribody
           }
       });
 
-      cycle.normal_force.maxCoeff(&contact.peak_sample);
+      loads.normal_force.maxCoeff(&contact.peak_sample);
       Ranks::sum(contact.removed_area, communicator);
       Ranks::max(contact.peak_pressure, communicator);
       contact.max_pressure =
@@ -239,24 +236,24 @@ namespace Tribody
 
 
     Eigen::Vector2d
-    WearingBushing::force_per_length(const Multibody::JointDutyCycle &cycle,
-                                     const Eigen::Index               j) const
+    WearingBushing::force_per_length(const Multibody::BearingLoads &loads,
+                                     const Eigen::Index             j) const
     {
-      const double angle = cycle.contact_angle_bushing[j];
-      return cycle.normal_force[j] / parameters.axial_length *
+      const double angle = loads.contact_angle_bushing[j];
+      return loads.normal_force[j] / parameters.axial_length *
              Eigen::Vector2d(std::cos(angle), std::sin(angle));
     }
 
 
 
     std::string
-    WearingBushing::unsolved_contact(const Multibody::JointDutyCycle &cycle,
-                                     const Eigen::Index               j,
+    WearingBushing::unsolved_contact(const Multibody::BearingLoads &loads,
+                                     const Eigen::Index             j,
                                      const SolverReport &report) const
     {
       return "Bushing " + name() + ": the contact problem of sample " +
              std::to_string(j) + " of the cycle (normal force " +
-             std::to_string(cycle.normal_force[j]) +
+             std::to_string(loads.normal_force[j]) +
              " N) has no solution: " + report.message +
              ". A finer mesh (Bore cells) or shorter wear steps (Cycles per "
              "step) may help.";

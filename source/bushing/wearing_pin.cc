@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/bushing/wearing_pin.h>
-#include <tribody/multibody/cycle/duty_cycle.h>
+#include <tribody/multibody/joints/bearing_loads.h>
 
 namespace Tribody
 {
@@ -22,12 +22,12 @@ namespace Tribody
 
 
     PinFacings
-    WearingPin::face(const Multibody::JointDutyCycle &cycle,
-                     const PinFacings                *similar) const
+    WearingPin::face(const Multibody::BearingLoads &loads,
+                     const PinFacings              *similar) const
     {
       PinFacings facings;
       facings.surfaces = surfaces;
-      facings.angles   = cycle.contact_angle_bushing - cycle.contact_angle_pin;
+      facings.angles   = loads.contact_angle_bushing - loads.contact_angle_pin;
       // Eigen compares vectors of the same size only.
       if (similar != nullptr && similar->surfaces == surfaces &&
           similar->angles.size() == facings.angles.size() &&

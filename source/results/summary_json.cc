@@ -9,6 +9,7 @@
 #include <tribody/results/warnings.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <ostream>
 
@@ -279,7 +280,6 @@ namespace Tribody
           {"settled", state.dynamics.all_settled},
           {"message", state.dynamics.settling_message},
           {"settling_relative_difference", settling.repeat_difference},
-          {"settling_distance", settling.distance},
           {"settling_cycles", settling.n_cycles},
           {"averaged_cycles", settling.n_averaged_cycles},
           {"integration_steps", statistics.n_steps},
@@ -287,6 +287,8 @@ namespace Tribody
           {"residual_evaluations", statistics.n_residuals},
           {"jacobian_evaluations", statistics.n_jacobians},
           {"restarts", statistics.n_restarts()}};
+        if (std::isfinite(settling.distance))
+          json["settling_distance"] = settling.distance;
         const Multibody::EnergyRecord &energy = cycle.energy.cycle;
         if (energy.has_work)
           {

@@ -31,8 +31,8 @@ namespace Tribody
   {
     namespace
     {
-      // What 'Energy balance = without wear', 'Joint motion = automatic' and
-      // 'Sampling tolerance' mean here.
+      // What 'Energy balance = without wear', 'Joint motion = automatic',
+      // 'Accuracy' and 'Sampling tolerance' mean here.
       Multibody::DynamicsParameters
       make_dynamics_parameters(const CaseParameters &parameters)
       {
@@ -44,6 +44,8 @@ namespace Tribody
         if (parameters.cycles > 0)
           return dynamics;
         dynamics.sampling_tolerance = 0.;
+        if (dynamics.accuracy == 0.)
+          dynamics.accuracy = Multibody::DynamicsParameters().accuracy;
         if (dynamics.joint_motion == Multibody::JointMotion::automatic)
           dynamics.joint_motion = Multibody::JointMotion::dynamic;
         return dynamics;

@@ -14,6 +14,8 @@ namespace Tribody
     {
       // Narrower arcs than that of a few nodes are not told apart.
       constexpr double narrowest = 0.035;
+      if (contact.samples.empty())
+        return Multibody::JointDutyCycle::usual_reach;
       return std::clamp(contact.at_peak_force().half_angle,
                         narrowest,
                         Multibody::JointDutyCycle::usual_reach);
@@ -24,12 +26,14 @@ namespace Tribody
     DutyErrors
     estimate_duty_errors(const Multibody::DutyCycle      &cycle,
                          const Multibody::JointDutyCycle &joint,
+                         const Multibody::BearingLoads   &loads,
                          const double                     reach)
     {
       DutyErrors errors;
-      errors.sampling    = joint.sampling_error(reach);
+      errors.sampling = joint.sampling_error(reach) +
+                        loads.spread(reach).difference(joint.spread(reach));
       errors.inertia     = joint.wear_of_neglected_inertia;
-      errors.integration = cycle.integration_error;
+      errors.integration = joint.integration_error;
       errors.creep       = joint.creep_share;
       const Multibody::SettlingReport &settling = cycle.settling;
       const unsigned int               n        = settling.n_averaged_cycles;

@@ -226,13 +226,12 @@ namespace Tribody
       std::vector<CycleContact>          result;
       for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          const Multibody::JointDutyCycle &cycle =
-            run->duty_cycle.joint(bushings[j].name());
-          const double distance =
-            run->joints[j].totals.sliding_distance +
-            (cycles - run->cycles) * cycle.sliding_distance();
+          const JointState &joint = run->joints[j];
+          const double      distance =
+            joint.totals.sliding_distance +
+            (cycles - run->cycles) * joint.loads.sliding_distance();
           result.push_back(bushings[j].compute_held_contact(
-            depths[j], cycle, contacts[j], distance));
+            depths[j], joint.loads, contacts[j], distance));
         }
       return result;
     }

@@ -62,11 +62,20 @@ namespace Tribody
           check_pin_in_bore(bushing, joint, cycle.time);
           check_strains(compute_least_strains(bushing, joint), bushing.name());
         }
-      const bool was_quasi_static  = run_state.duty_cycle.is_quasi_static;
-      run_state.duty_cycle         = cycle;
-      run_state.cycles_at_dynamics = run_state.cycles;
-      for (JointState &joint : run_state.joints)
-        joint.depth_at_dynamics = joint.depth;
+      // Of the wear in all. Where it is deepest it may change by several times
+      // as much, which is part of the estimated error.
+      constexpr double merging_tolerance = 2e-4;
+      const bool       was_quasi_static  = run_state.duty_cycle.is_quasi_static;
+      run_state.duty_cycle               = cycle;
+      run_state.cycles_at_dynamics       = run_state.cycles;
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        {
+          JointState &joint       = run_state.joints[j];
+          joint.depth_at_dynamics = joint.depth;
+          joint.loads = merge_cycles(cycle.joint(joint_bushings[j].name()),
+                                     cycle.settling.n_averaged_cycles,
+                                     merging_tolerance);
+        }
 
       const Multibody::SettlingReport &settling = cycle.settling;
       run_state.counts.dynamics_cycles += settling.n_cycles;
@@ -123,7 +132,7 @@ namespace Tribody
           JointState &joint = run_state.joints[j];
           joint.contact     = joint_bushings[j].compute_cycle_contact(
             joint.depth,
-            run_state.duty_cycle.joint(joint_bushings[j].name()),
+            joint.loads,
             joint.contact.samples.empty() ? nullptr : &joint.contact,
             joint.totals.sliding_distance);
           joint.totals.strains.widen(compute_strains(
@@ -204,10 +213,8 @@ namespace Tribody
           JointTotals &totals = joint.totals;
           totals.sliding_distance += distance;
           const double     n_cycles = step.cycles - run_state.cycles;
-          const DutyErrors errors =
-            estimate_duty_errors(run_state.duty_cycle,
-                                 cycle,
-                                 reach_of(joint.contact));
+          const DutyErrors errors   = estimate_duty_errors(
+            run_state.duty_cycle, cycle, joint.loads, reach_of(joint.contact));
           totals.duty_errors.sampling += n_cycles * errors.sampling;
           totals.duty_errors.inertia += n_cycles * errors.inertia;
           totals.duty_errors.settling += n_cycles * errors.settling;

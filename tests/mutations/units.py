@@ -50,7 +50,7 @@ UNITS = {
         ("min minute", 60, "s", False),
         ("h hr hour", 3600, "s", False),
         ("d day", 86400, "s", False),
-        ("deg degree degrees", math.pi / 180, "rad", False),
+        ("deg degree degrees °", math.pi / 180, "rad", False),
         ("turn revolution", 2 * math.pi, "rad", False),
         ("rpm", 2 * math.pi / 60, "rad s-1", False),
         ("in inch", INCH, "m", False),
@@ -69,7 +69,7 @@ PREFIXES = {
     "giga": 1e9, "mega": 1e6, "kilo": 1e3, "milli": 1e-3, "micro": 1e-6,
 }  # fmt: skip
 
-TOKEN = re.compile(r"\s*(\*\*|\^|[-*/().]|[a-zA-Z]+|\d+)")
+TOKEN = re.compile(r"\s*(\*\*|\^|[-*/().]|[a-zA-Z]+|°|\d+)")
 
 
 def find_unit(name):

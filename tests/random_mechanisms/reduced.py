@@ -391,12 +391,15 @@ class Solver:
 
     def start_rates(self, wanted):
         """Rates that obey loops and drivers at time 0, near the wanted ones of the
-        coordinates, and the velocities of the bodies then, for the parameter file."""
+        coordinates, and where the bodies are and how they move then, for the parameter
+        file: a body that was beside its guide starts on it."""
         dependent, independent = self.split(self.z_start, 0.0)
         self.z_start = self.close(self.z_start, 0.0, dependent)
         rate = self.rates(self.z_start, 0.0, dependent, independent, wanted[independent])
         poses = self.poses(self.z_start, rate)
         for body in self.m.bodies:
+            body.position = complex(poses[id(body)].r)
+            body.angle = float(poses[id(body)].phi)
             body.velocity = complex(poses[id(body)].v)
             body.angular_velocity = float(poses[id(body)].omega)
         self.rate_start = rate

@@ -26,7 +26,7 @@ namespace Tribody
   namespace Multibody
   {
     class PinSupport;
-    struct JointDutyCycle;
+    struct BearingLoads;
   } // namespace Multibody
 
   namespace Coupling
@@ -38,8 +38,8 @@ namespace Tribody
      */
     struct CycleContact
     {
-      /// The contact in every sample: in those of this rank's share and in the
-      /// peak_sample, the others are left empty.
+      /// The contact under every load, called samples: in those of this rank's
+      /// share and in the peak_sample, the others are left empty.
       std::vector<Contact::ContactSolution> samples;
       /// How the pin slides in each sample.
       std::vector<Wear::Sliding> slidings;
@@ -130,7 +130,7 @@ namespace Tribody
       }
 
       /**
-       * Solve the contact in every sample of @p cycle for surfaces that are
+       * Solve the contact in every sample of @p loads for surfaces that are
        * worn by @p depth [m], and add up their wear laws over the cycle. What
        * the pin loses, it loses where it faces the bore: the area
        * @f$ P_j A_j @f$ with P of TurnedSurfaces, if its law gives @f$A_j@f$ at
@@ -144,9 +144,9 @@ namespace Tribody
        *   names joint, sample and force.
        */
       CycleContact
-      compute_cycle_contact(const Eigen::VectorXd           &depth,
-                            const Multibody::JointDutyCycle &cycle,
-                            const CycleContact              *similar,
+      compute_cycle_contact(const Eigen::VectorXd         &depth,
+                            const Multibody::BearingLoads &loads,
+                            const CycleContact            *similar,
                             const double sliding_distance = 0.) const;
 
       /**
@@ -156,9 +156,9 @@ namespace Tribody
        * samples.
        */
       CycleContact
-      compute_held_contact(const Eigen::VectorXd           &depth,
-                           const Multibody::JointDutyCycle &cycle,
-                           const CycleContact              &held,
+      compute_held_contact(const Eigen::VectorXd         &depth,
+                           const Multibody::BearingLoads &loads,
+                           const CycleContact            &held,
                            const double sliding_distance = 0.) const;
 
       /// Over all samples of @p contact and all ranks, nodes that are held
@@ -342,26 +342,26 @@ namespace Tribody
       /// The surfaces worn by @p depth over a cycle, before anything presses on
       /// them.
       CycleContact
-      face_surfaces(const Eigen::VectorXd           &depth,
-                    const Multibody::JointDutyCycle &cycle,
-                    const CycleContact              *similar,
-                    const double                     sliding_distance) const;
+      face_surfaces(const Eigen::VectorXd         &depth,
+                    const Multibody::BearingLoads &loads,
+                    const CycleContact            *similar,
+                    const double                   sliding_distance) const;
 
       CycleContact
-      compute_contact(const Eigen::VectorXd           &depth,
-                      const Multibody::JointDutyCycle &cycle,
-                      const CycleContact              *similar,
-                      const Nodes                      nodes,
-                      const double                     sliding_distance) const;
+      compute_contact(const Eigen::VectorXd         &depth,
+                      const Multibody::BearingLoads &loads,
+                      const CycleContact            *similar,
+                      const Nodes                    nodes,
+                      const double                   sliding_distance) const;
 
       Eigen::Vector2d
-      force_per_length(const Multibody::JointDutyCycle &cycle,
-                       const Eigen::Index               j) const;
+      force_per_length(const Multibody::BearingLoads &loads,
+                       const Eigen::Index             j) const;
 
       std::string
-      unsolved_contact(const Multibody::JointDutyCycle &cycle,
-                       const Eigen::Index               j,
-                       const SolverReport              &report) const;
+      unsolved_contact(const Multibody::BearingLoads &loads,
+                       const Eigen::Index             j,
+                       const SolverReport            &report) const;
 
       /// Add what sample @p j of the contact removes.
       void

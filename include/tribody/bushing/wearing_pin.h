@@ -17,7 +17,7 @@ namespace Tribody
 {
   namespace Multibody
   {
-    struct JointDutyCycle;
+    struct BearingLoads;
   }
 
   namespace Coupling
@@ -67,12 +67,12 @@ namespace Tribody
                  const double         radius,
                  const Wear::WearLaw &law);
 
-      /// How the pin faces the bore over @p cycle: the angle by which it is
+      /// How the pin faces the bore under @p loads: the angle by which it is
       /// turned is the difference of the contact's angles in both frames.
       /// @param similar is taken if it belongs to the same angles.
       PinFacings
-      face(const Multibody::JointDutyCycle &cycle,
-           const PinFacings                *similar) const;
+      face(const Multibody::BearingLoads &loads,
+           const PinFacings              *similar) const;
 
       /// Let it be worn by @p depth [m] in all, in a bore as worn as @p bore.
       void

@@ -29,6 +29,7 @@ namespace Tribody
       {
         dynamics.joint_motion       = Multibody::JointMotion::automatic;
         dynamics.sampling_tolerance = 2e-3;
+        dynamics.accuracy           = 0.;
       }
 
       /// One line that says what the case is, for log and summary.

@@ -33,7 +33,7 @@ namespace Tribody
     /// their integral over the cycles.
     struct DutyErrors
     {
-      /// By its samples, JointDutyCycle::sampling_error.
+      /// By its samples, JointDutyCycle::sampling_error, and by merging them.
       double sampling = 0.;
       /// By the inertia that pins which follow their bores leave out.
       double inertia = 0.;
@@ -65,14 +65,16 @@ namespace Tribody
     };
 
     /// Over which wear spreads to either side of the force in @p contact, for
-    /// the choice of samples [rad].
+    /// the choice of samples [rad]; the usual one before there is a contact.
     double
     reach_of(const CycleContact &contact);
 
-    /// Those of @p joint in @p cycle, which wears over @p reach [rad].
+    /// Those of @p joint in @p cycle, which wears over @p reach [rad] under @p
+    /// loads.
     DutyErrors
     estimate_duty_errors(const Multibody::DutyCycle      &cycle,
                          const Multibody::JointDutyCycle &joint,
+                         const Multibody::BearingLoads   &loads,
                          const double                     reach);
 
     /// What a run adds up for one bushing and its pin.
@@ -103,7 +105,10 @@ namespace Tribody
       Eigen::VectorXd depth_at_compliance;
       /// What the motion of the mechanism was computed for, with a lag too.
       Eigen::VectorXd depth_at_dynamics;
-      /// Contact and wear per cycle at the depth, under the duty cycle.
+      /// What wears it: the loads of the duty cycle, those of several cycles
+      /// merged.
+      Multibody::BearingLoads loads;
+      /// Contact and wear per cycle at the depth, under these loads.
       CycleContact contact;
       /// Sums over all cycles so far.
       JointTotals totals;

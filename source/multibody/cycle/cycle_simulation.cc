@@ -9,6 +9,7 @@
 #include <tribody/multibody/cycle/cycle_simulation.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/multibody/cycle/integrated_cycle.h>
+#include <tribody/multibody/cycle/integration_accuracy.h>
 #include <tribody/multibody/elements/smoothness.h>
 #include <tribody/multibody/following/followed_cycle.h>
 #include <tribody/multibody/following/slow_motion_start.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Tribody
 {
@@ -45,10 +47,16 @@ namespace Tribody
       // follow their bores: shares of the forces that inertia would change.
       constexpr double noted_inertia = 0.02, largest_inertia = 0.1;
 
-      // Set them in the joints of cycle. Throws ExcRun beyond the limit.
+      // Share of the wear that it would change, from which on a motion is
+      // integrated where that is left to the program.
+      constexpr double tolerated_wear = 5e-3;
+
+      // Set them in the joints of cycle. Throws ExcRun beyond the limits: of
+      // the share, and of that of the wear.
       void
       judge_neglected_inertia(const FollowingPins                 &pins,
                               const std::vector<NeglectedInertia> &neglected,
+                              const double                         largest_wear,
                               DutyCycle                           &cycle)
       {
         for (std::size_t p = 0; p < neglected.size(); ++p)
@@ -57,7 +65,8 @@ namespace Tribody
             JointDutyCycle         &joint   = cycle.joints[pins.joints()[p]];
             joint.neglected_inertia         = inertia.share;
             joint.wear_of_neglected_inertia = inertia.of_wear;
-            if (inertia.share <= noted_inertia)
+            if (inertia.share <= noted_inertia &&
+                inertia.of_wear <= largest_wear)
               continue;
             std::string text =
               "the inertia of the pin's motion in its bore, which a "
@@ -77,6 +86,7 @@ namespace Tribody
                                ". With more than 10 % a pin does not follow "
                                "its bore: choose 'Dynamics/Joint motion = "
                                "dynamic'"));
+            AssertThrow(inertia.of_wear <= largest_wear, ExcRun(text));
             cycle.settling.message +=
               (cycle.settling.message.empty() ? "is quasi-static: " : "; ") +
               text;
@@ -330,17 +340,16 @@ namespace Tribody
                                         const Arcs        &arcs,
                                         const unsigned int n) const
     {
+      // Impacts that come at another time in each cycle need more cycles, not
+      // samples.
+      const unsigned int most = cycle.settling.n_averaged_cycles == 1 ? 16 : 4;
       if (parameters.sampling_tolerance == 0. ||
-          n >= 16 * parameters.samples_per_cycle)
+          n >= most * parameters.samples_per_cycle)
         return false;
       return std::any_of(cycle.joints.begin(),
                          cycle.joints.end(),
                          [&](const JointDutyCycle &joint) {
-                           const auto arc = arcs.find(joint.name);
-                           return joint.sampling_error(
-                                    arc != arcs.end()
-                                      ? arc->second
-                                      : JointDutyCycle::usual_reach) >
+                           return joint.sampling_error(reach_of(joint, arcs)) >
                                   parameters.sampling_tolerance;
                          });
     }
@@ -372,6 +381,9 @@ namespace Tribody
       const Arcs                        &arcs,
       const DutyCycle                   *before) const
     {
+      // A motion that is integrated goes on.
+      if (before != nullptr && before->end)
+        return run_dynamics(equations, scales, arcs, before);
       const auto follow = [&](const unsigned int n) {
         return run_following(equations, n);
       };
@@ -437,7 +449,12 @@ namespace Tribody
       cycle.settling.n_cycles  = 1;
       cycle.settling.converged = true;
       cycle.is_quasi_static    = true;
-      judge_neglected_inertia(pins, followed.neglected, cycle);
+      judge_neglected_inertia(pins,
+                              followed.neglected,
+                              parameters.joint_motion == JointMotion::automatic
+                                ? tolerated_wear
+                                : std::numeric_limits<double>::infinity(),
+                              cycle);
       for (JointDutyCycle &joint : cycle.joints)
         joint.peak_force_since_start = joint.peak_force();
       return cycle;
@@ -723,9 +740,6 @@ namespace Tribody
                                   const Arcs                        &arcs,
                                   const DutyCycle *before) const
     {
-      MotionTolerances tolerances =
-        make_tolerances(mechanism, scales, parameters);
-      tolerances.maximum_step = period / parameters.samples_per_cycle;
       // Whoever records the first cycle wants that of the start.
       const bool goes_on = before != nullptr && before->end &&
                            parameters.maximum_settling_cycles > 0;
@@ -735,13 +749,41 @@ namespace Tribody
       // One that had to start anew has something to settle again.
       const bool repeats = !goes_on || before->settling.converged ||
                            start.state.time != before->end->state.time;
-      IntegratedCycle motion(
-        equations, parameters, tolerances, period, start.state);
-      DutyCycle cycle = motion.run(
-        [&](const DutyCycle &recorded, const unsigned int n) {
-          return needs_more_samples(recorded, arcs, n);
-        },
-        repeats);
+      DynamicsParameters as_needed   = parameters;
+      const auto         motion_from = [&](const double          accuracy,
+                                   const MechanismState &begin,
+                                   const bool            may_repeat) {
+        as_needed.accuracy = accuracy;
+        return integrate(equations, scales, arcs, as_needed, begin, may_repeat);
+      };
+      DutyCycle cycle;
+      if (parameters.accuracy > 0.)
+        {
+          cycle = motion_from(parameters.accuracy, start.state, repeats);
+          for (JointDutyCycle &joint : cycle.joints)
+            joint.integration_error =
+              usual_integration_error(parameters.accuracy);
+        }
+      else if (before != nullptr && before->accuracy > 0.)
+        {
+          as_needed.samples_per_cycle = before->n_samples();
+          cycle = motion_from(before->accuracy, start.state, repeats);
+          for (std::size_t j = 0; j < cycle.joints.size(); ++j)
+            cycle.joints[j].integration_error =
+              before->joints[j].integration_error;
+        }
+      else
+        cycle = integrate_as_needed(
+          [&](const double accuracy, const DutyCycle *looser) {
+            const bool has_begun =
+              looser != nullptr && parameters.maximum_settling_cycles > 0;
+            if (has_begun)
+              as_needed.samples_per_cycle = looser->n_samples();
+            return motion_from(accuracy,
+                               has_begun ? looser->end->state : start.state,
+                               true);
+          },
+          arcs);
       if (!repeats)
         {
           cycle.settling.repeat_difference = before->settling.repeat_difference;
@@ -751,6 +793,29 @@ namespace Tribody
       cycle.settling.message =
         describe_settling(cycle.settling, repeats, start.report.message);
       judge_creep(mechanism, closed_equations, cycle);
+      return cycle;
+    }
+
+
+
+    DutyCycle
+    CycleSimulation::integrate(const EquationsOfMotion           &equations,
+                               const std::vector<ReferenceScale> &scales,
+                               const Arcs                        &arcs,
+                               const DynamicsParameters          &as_needed,
+                               const MechanismState              &begin,
+                               const bool                         repeats) const
+    {
+      MotionTolerances tolerances =
+        make_tolerances(mechanism, scales, as_needed);
+      tolerances.maximum_step = period / parameters.samples_per_cycle;
+      IntegratedCycle motion(equations, as_needed, tolerances, period, begin);
+      DutyCycle       cycle = motion.run(
+        [&](const DutyCycle &recorded, const unsigned int n) {
+          return needs_more_samples(recorded, arcs, n);
+        },
+        repeats);
+      cycle.accuracy = as_needed.accuracy;
       return cycle;
     }
   } // namespace Multibody

@@ -47,32 +47,19 @@ namespace Tribody
 
 
     double
-    JointDutyCycle::mean_normal_force() const
-    {
-      const double distance = sliding_distance();
-      return distance > 0 ? normal_force.dot(sliding_increment) / distance
-                          : normal_force.mean();
-    }
-
-
-
-    double
-    JointDutyCycle::sliding_distance() const
-    {
-      return sliding_increment.sum();
-    }
-
-
-
-    double
     JointDutyCycle::sampling_error(const double reach) const
     {
-      WearSpread by_samples(reach), by_records(reach);
+      return spread(reach).difference(finer_spread(reach));
+    }
+
+
+
+    WearSpread
+    JointDutyCycle::finer_spread(const double reach) const
+    {
+      WearSpread by_records(reach);
       for (Eigen::Index s = 0; s < sliding_halves.size() / 2; ++s)
         {
-          by_samples.add(normal_force(s),
-                         contact_angle_bushing(s),
-                         sliding_increment(s));
           for (Eigen::Index half = 0; half < 2; ++half)
             {
               const double distance = 0.5 * sliding_halves(2 * s + half);
@@ -84,7 +71,7 @@ namespace Tribody
                              distance);
             }
         }
-      return by_samples.difference(by_records);
+      return by_records;
     }
 
 

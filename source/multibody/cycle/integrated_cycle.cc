@@ -57,7 +57,7 @@ namespace Tribody
           settle(repeats ? parameters.maximum_settling_cycles : 0);
           cycle = settling.converged || parameters.averaged_cycles == 1
                     ? settled_cycle(needs_more_samples)
-                    : average_cycle();
+                    : average_cycle(needs_more_samples);
         }
       catch (const ExcRun &error)
         {
@@ -74,10 +74,8 @@ namespace Tribody
       cycle.settling         = settling;
       cycle.n_steps_in_cycle = n_steps_in_cycle;
       cycle.constraint_drift = integrator.constraint_drift();
-      // An accuracy of 3e-4 gives forces to 0.1 %.
-      cycle.integration_error = 3. * parameters.accuracy;
-      cycle.statistics        = integrator.statistics();
-      cycle.end               = make_motion_end(equations, integrator.state());
+      cycle.statistics       = integrator.statistics();
+      cycle.end              = make_motion_end(equations, integrator.state());
       const Mechanism &mechanism = equations.mechanism();
       for (unsigned int j = 0; j < cycle.joints.size(); ++j)
         cycle.joints[j].peak_force_since_start =
@@ -174,10 +172,21 @@ namespace Tribody
 
 
     DutyCycle
-    IntegratedCycle::average_cycle()
+    IntegratedCycle::average_cycle(const NeedsMoreSamples &needs_more_samples)
+    {
+      unsigned int n     = parameters.samples_per_cycle;
+      DutyCycle    cycle = average_cycle(n);
+      while (needs_more_samples(cycle, n))
+        cycle = average_cycle(n *= 2);
+      return cycle;
+    }
+
+
+
+    DutyCycle
+    IntegratedCycle::average_cycle(const unsigned int n_samples)
     {
       constexpr unsigned int min_cycles = 5;
-      const unsigned int     n_samples  = parameters.samples_per_cycle;
       const unsigned int     most       = parameters.averaged_cycles;
       CycleRecorder          all(equations, most * n_samples, most * period);
       all.set_energy_account(kept_account());

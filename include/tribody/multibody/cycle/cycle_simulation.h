@@ -3,6 +3,7 @@
 #ifndef tribody_multibody_cycle_cycle_simulation_h
 #define tribody_multibody_cycle_cycle_simulation_h
 
+#include <tribody/multibody/cycle/integration_accuracy.h>
 #include <tribody/multibody/motion/dynamics_parameters.h>
 #include <tribody/multibody/motion/reference_scales.h>
 #include <tribody/multibody/system/equations_of_motion.h>
@@ -61,10 +62,7 @@ namespace Tribody
       /// Elastic surfaces of joints, by name of the joint.
       using Supports = std::map<std::string, std::shared_ptr<const PinSupport>>;
 
-      /// Angles over which wear spreads to either side of a joint's force
-      /// [rad], by name of the joint; those of joints not given are as of a
-      /// bore that is worn in.
-      using Arcs = std::map<std::string, double>;
+      using Arcs = WearArcs;
 
       /**
        * A settled cycle with the given clearances, by name of the joint; those
@@ -183,6 +181,16 @@ namespace Tribody
                    const std::vector<ReferenceScale> &scales,
                    const Arcs                        &arcs,
                    const DutyCycle                   *before) const;
+
+      // From begin on, with accuracy and samples as needed. It is expected to
+      // repeat, or not.
+      DutyCycle
+      integrate(const EquationsOfMotion           &equations,
+                const std::vector<ReferenceScale> &scales,
+                const Arcs                        &arcs,
+                const DynamicsParameters          &as_needed,
+                const MechanismState              &begin,
+                const bool                         repeats) const;
 
       // In the bores as they are now; anew where that fails.
       StartingState

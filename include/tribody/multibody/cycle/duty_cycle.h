@@ -7,6 +7,7 @@
 
 #include <tribody/multibody/cycle/contact_interval.h>
 #include <tribody/multibody/following/continued_motion.h>
+#include <tribody/multibody/joints/bearing_loads.h>
 #include <tribody/multibody/joints/wear_spread.h>
 #include <tribody/multibody/motion/energy_record.h>
 #include <tribody/sundials/ida_integrator.h>
@@ -21,7 +22,8 @@ namespace Tribody
   namespace Multibody
   {
     /**
-     * One joint over a cycle; one entry per sample. Forces are those of the
+     * One joint over a cycle; one entry per sample. The loads on its surfaces,
+     * and what else there is to know. Forces are those of the
      * pin (first body) on the bushing (second body), in global axes.
      *
      * For an ideal revolute joint, the normal force is the whole reaction and
@@ -29,7 +31,7 @@ namespace Tribody
      * zero. Other joints have forces only. A kinematic analysis knows no
      * forces: they are zero.
      */
-    struct JointDutyCycle
+    struct JointDutyCycle : BearingLoads
     {
       /// As in the parameters.
       std::string name;
@@ -46,20 +48,9 @@ namespace Tribody
       Eigen::VectorXd force_x;
       /// Total force, y component [N].
       Eigen::VectorXd force_y;
-      /// F_N [N], not negative.
-      Eigen::VectorXd normal_force;
       /// On the bushing along k x n [N], where n points from the bushing's
       /// centre to the contact: the sign of the sliding speed of the pin.
       Eigen::VectorXd friction_force;
-      /// Direction of n in the frame of the bushing [rad], [0, 2 pi).
-      Eigen::VectorXd contact_angle_bushing;
-      /// Direction of n in the frame of the pin [rad], [0, 2 pi).
-      Eigen::VectorXd contact_angle_pin;
-      /// R_j times the angle turned between pin and bushing from half an
-      /// interval before the sample to half an interval after [m], >= 0.
-      Eigen::VectorXd sliding_increment;
-      /// Mean sliding speed in that interval [m/s], not negative.
-      Eigen::VectorXd sliding_speed;
       /// |e|, of the pin's centre from the bushing's [m].
       Eigen::VectorXd eccentricity;
       /// delta [m]; negative: gap.
@@ -98,6 +89,9 @@ namespace Tribody
       double neglected_inertia = 0.;
       /// Likewise that of the wear where it is deepest, WearSpread [-].
       double wear_of_neglected_inertia = 0.;
+      /// What the integration of the motion may leave in the wear [-]; zero
+      /// without one.
+      double integration_error = 0.;
 
       /// Between the samples, from half an interval before the first on: normal
       /// force [N]; one more than samples. Empty if not revolute.
@@ -141,10 +135,6 @@ namespace Tribody
       double
       mean_force() const;
 
-      /// Mean of the normal force over the sliding distance [N].
-      double
-      mean_normal_force() const;
-
       /// Of sampling_error() for a bore that is worn in [rad].
       static constexpr double usual_reach = WearSpread::usual_reach;
 
@@ -154,9 +144,10 @@ namespace Tribody
       double
       sampling_error(const double reach) const;
 
-      /// Sum of the sliding increments [m].
-      double
-      sliding_distance() const;
+      /// The wear by the forces at and between the samples, as of twice as
+      /// many, spread over @p reach [rad].
+      WearSpread
+      finer_spread(const double reach) const;
 
       /// Sample at which the force is largest.
       Eigen::Index
@@ -262,9 +253,9 @@ namespace Tribody
 
       /// How many cycles it took to get here.
       SettlingReport settling;
-      /// What the integration may leave in the forces, relative [-]; zero
-      /// without one.
-      double integration_error = 0.;
+      /// DynamicsParameters::accuracy that it was integrated with [-]; zero if
+      /// it was not.
+      double accuracy = 0.;
       /// Whether pins follow their bores instead of being integrated.
       bool is_quasi_static = false;
       /// Largest entry of Phi at any integration step since the start of the
@@ -278,6 +269,13 @@ namespace Tribody
       /// Integration steps of the recorded cycle alone; a mean if several were
       /// averaged.
       unsigned long n_steps_in_cycle = 0;
+
+      /// Samples of one cycle.
+      unsigned int
+      n_samples() const
+      {
+        return phase.size() / settling.n_averaged_cycles;
+      }
 
       /// Make a record of @p n cycles one of an average cycle: every sample
       /// gets an n-th of its sliding, and the scatter is computed.

@@ -65,9 +65,14 @@ namespace Tribody
       DutyCycle
       settled_cycle(const NeedsMoreSamples &needs_more_samples);
 
-      // As many cycles as their scatter needs, from where settle() ended.
+      // As many cycles as their scatter needs, from where settle() ended, with
+      // as many samples as are needed.
       DutyCycle
-      average_cycle();
+      average_cycle(const NeedsMoreSamples &needs_more_samples);
+
+      // With so many, from where the motion is.
+      DutyCycle
+      average_cycle(const unsigned int n_samples);
 
       const EnergyAccount *
       kept_account() const;
