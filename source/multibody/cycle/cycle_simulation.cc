@@ -750,19 +750,23 @@ namespace Tribody
       const bool repeats = !goes_on || before->settling.converged ||
                            start.state.time != before->end->state.time;
       DynamicsParameters as_needed   = parameters;
-      const auto         motion_from = [&](const double          accuracy,
+      const auto         motion_from = [&](const double          with_accuracy,
                                    const MechanismState &begin,
                                    const bool            may_repeat) {
-        as_needed.accuracy = accuracy;
+        as_needed.accuracy = with_accuracy;
         return integrate(equations, scales, arcs, as_needed, begin, may_repeat);
       };
+      // Bristles of friction laws with memory never settle with less.
+      const double accuracy =
+        parameters.accuracy == 0. && mechanism.n_friction_states() > 0
+          ? DynamicsParameters().accuracy
+          : parameters.accuracy;
       DutyCycle cycle;
-      if (parameters.accuracy > 0.)
+      if (accuracy > 0.)
         {
-          cycle = motion_from(parameters.accuracy, start.state, repeats);
+          cycle = motion_from(accuracy, start.state, repeats);
           for (JointDutyCycle &joint : cycle.joints)
-            joint.integration_error =
-              usual_integration_error(parameters.accuracy);
+            joint.integration_error = usual_integration_error(accuracy);
         }
       else if (before != nullptr && before->accuracy > 0.)
         {
@@ -774,12 +778,12 @@ namespace Tribody
         }
       else
         cycle = integrate_as_needed(
-          [&](const double accuracy, const DutyCycle *looser) {
+          [&](const double with_accuracy, const DutyCycle *looser) {
             const bool has_begun =
               looser != nullptr && parameters.maximum_settling_cycles > 0;
             if (has_begun)
               as_needed.samples_per_cycle = looser->n_samples();
-            return motion_from(accuracy,
+            return motion_from(with_accuracy,
                                has_begun ? looser->end->state : start.state,
                                true);
           },
