@@ -5,7 +5,7 @@
 
 Each case is run as it is and tight: tolerance of the wear steps 1e-5, motion
 renewed with every 0.1 % of the clearance, twice as many cells, four times as
-many samples, an accuracy of 3e-4 where the motion is integrated. The difference
+many samples, an accuracy of 3e-5 where the motion is integrated. The difference
 of the deepest wear of each joint is its true error, as far as the tight run is
 right; the stated one is that of summary.json.
 
@@ -124,7 +124,7 @@ def tighten(directory, summary):
         "Wear/Dynamics update=0.001",
         "Wear/Mesh error estimate=none",
         "Dynamics/Sampling tolerance=0",
-        "Dynamics/Accuracy=3e-4",
+        "Dynamics/Accuracy=3e-5",
         f"Dynamics/Samples per cycle={4 * samples}",
     ]
     for name, joint in summary["joints"].items():

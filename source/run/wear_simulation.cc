@@ -41,6 +41,10 @@ namespace Tribody
           dynamics.energy_balance = parameters.cycles == 0
                                       ? Multibody::EnergyBalance::always
                                       : Multibody::EnergyBalance::never;
+        // Energies ask more of the motion than wear does.
+        if (dynamics.accuracy == 0. &&
+            dynamics.energy_balance == Multibody::EnergyBalance::always)
+          dynamics.accuracy = Multibody::DynamicsParameters().accuracy;
         if (parameters.cycles > 0)
           return dynamics;
         dynamics.sampling_tolerance = 0.;

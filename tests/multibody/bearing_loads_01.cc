@@ -2,8 +2,8 @@
 
 // Loads of several cycles as those of one. Two forces of the same size at the
 // angles a + d and a - d, over the same distance, are one of F cos d at a: what
-// is lost is 1 - cos d. Forces in one direction keep their work F s exactly,
-// however different they are, with distances as different; then neighbours
+// is lost is 1 - cos d. The same forces over other distances keep their work F
+// s exactly; an impact in one of the cycles stays what it is. Then neighbours
 // become one, too, four at a time, unless that is another place on the pin. A
 // loss beyond the tolerance leaves loads as they are, and one more: the
 // largest.
@@ -19,8 +19,8 @@ namespace
 {
   constexpr int n_samples = 12, n_cycles = 2;
 
-  // In the second cycle the force is larger by the factor, over a distance
-  // that is longer by it, and the direction turns from -d to d.
+  // In the second cycle the pin slides farther by the factor, and the direction
+  // turns from -d to d.
   BearingLoads
   two_cycles(const double factor, const double d)
   {
@@ -36,7 +36,7 @@ namespace
         const bool   second            = j >= n_samples;
         const double scale             = second ? factor : 1.;
         const double angle             = 0.5 * (j % n_samples);
-        loads.normal_force(j)          = scale * (10. + j % n_samples);
+        loads.normal_force(j)          = 10. + j % n_samples;
         loads.contact_angle_bushing(j) = angle + (second ? d : -d);
         loads.contact_angle_pin(j)     = 2. * angle + (second ? d : -d);
         loads.sliding_increment(j)     = scale * 1e-3;
@@ -99,12 +99,20 @@ main()
   {
     BearingLoads all = two_cycles(3., 0.);
     all.contact_angle_bushing.setZero();
+    all.normal_force.setConstant(10.);
     std::cout << "one direction in the bushing, but not on the pin: "
               << merge_cycles(all, n_cycles, 1e-12).size();
     all.contact_angle_pin.setZero();
     const BearingLoads merged = merge_cycles(all, n_cycles, 1e-12);
     std::cout << " loads; on both: " << merged.size() << ", the same work "
               << is_near(work(merged), work(all)) << std::endl;
+  }
+  {
+    BearingLoads all          = two_cycles(1., 0.);
+    all.normal_force(3)       = 0.;
+    const BearingLoads merged = merge_cycles(all, n_cycles, 1e-3);
+    std::cout << "an impact: " << merged.size() << " loads, the largest force "
+              << "at its place " << merged.normal_force(4) << std::endl;
   }
   {
     BearingLoads still        = two_cycles(2., 0.);

@@ -761,6 +761,20 @@ namespace Tribody
         parameters.accuracy == 0. && mechanism.n_friction_states() > 0
           ? DynamicsParameters().accuracy
           : parameters.accuracy;
+      const auto motion_as_needed = [&]() {
+        return integrate_as_needed(
+          [&](const double with_accuracy, const DutyCycle *looser) {
+            const bool has_begun =
+              looser != nullptr && parameters.maximum_settling_cycles > 0;
+            as_needed.samples_per_cycle =
+              has_begun ? looser->n_samples() : parameters.samples_per_cycle;
+            const MechanismState begin =
+              has_begun ? continue_from(equations, *looser->end).state
+                        : start.state;
+            return motion_from(with_accuracy, begin, true);
+          },
+          arcs);
+      };
       DutyCycle cycle;
       if (accuracy > 0.)
         {
@@ -768,26 +782,22 @@ namespace Tribody
           for (JointDutyCycle &joint : cycle.joints)
             joint.integration_error = usual_integration_error(accuracy);
         }
-      else if (before != nullptr && before->accuracy > 0.)
-        {
-          as_needed.samples_per_cycle = before->n_samples();
-          cycle = motion_from(before->accuracy, start.state, repeats);
-          for (std::size_t j = 0; j < cycle.joints.size(); ++j)
-            cycle.joints[j].integration_error =
-              before->joints[j].integration_error;
-        }
+      else if (before == nullptr || before->accuracy == 0.)
+        cycle = motion_as_needed();
       else
-        cycle = integrate_as_needed(
-          [&](const double with_accuracy, const DutyCycle *looser) {
-            const bool has_begun =
-              looser != nullptr && parameters.maximum_settling_cycles > 0;
-            if (has_begun)
-              as_needed.samples_per_cycle = looser->n_samples();
-            return motion_from(with_accuracy,
-                               has_begun ? looser->end->state : start.state,
-                               true);
-          },
-          arcs);
+        try
+          {
+            as_needed.samples_per_cycle = before->n_samples();
+            cycle = motion_from(before->accuracy, start.state, repeats);
+            for (std::size_t j = 0; j < cycle.joints.size(); ++j)
+              cycle.joints[j].integration_error =
+                before->joints[j].integration_error;
+          }
+        catch (const ExcRun &)
+          {
+            // In bores that have worn since it may take more.
+            cycle = motion_as_needed();
+          }
       if (!repeats)
         {
           cycle.settling.repeat_difference = before->settling.repeat_difference;

@@ -27,8 +27,9 @@ namespace Tribody
         const auto work = [](const JointDutyCycle &of) {
           return of.mean_normal_force() * of.sliding_distance();
         };
-        const double in_all =
-          work(joint) > 0. ? std::abs(work(other) / work(joint) - 1.) : 0.;
+        const double in_all = work(joint) != work(other)
+                                ? std::abs(work(other) / work(joint) - 1.)
+                                : 0.;
         return std::max(in_all,
                         other.finer_spread(reach).difference(
                           joint.finer_spread(reach)));
@@ -64,7 +65,7 @@ namespace Tribody
       constexpr double loosest = 4e-2, finest = 1e-5, ratio = 4.;
 
       // Where less of the difference goes than this, it is scatter.
-      constexpr double least_gain = 0.5;
+      constexpr double least_gain = 0.5, largest_gain = 0.75;
 
       double                   before = std::numeric_limits<double>::infinity();
       std::optional<DutyCycle> looser;
@@ -78,9 +79,11 @@ namespace Tribody
             }
           catch (const ExcRun &)
             {
+              // A finer one may take too many steps.
+              if (looser)
+                return *looser;
               if (is_finest)
                 throw;
-              looser.reset();
               continue;
             }
           double largest = 0.;
@@ -96,7 +99,13 @@ namespace Tribody
             }
           if (is_finest || (looser && (largest <= allowed ||
                                        largest >= least_gain * before)))
-            return cycle;
+            {
+              // It may be a slow approach as well: the rest of its series.
+              const double gain = std::min(largest / before, largest_gain);
+              for (JointDutyCycle &joint : cycle.joints)
+                joint.integration_error *= std::max(1., gain / (1. - gain));
+              return cycle;
+            }
           before = looser ? largest : std::numeric_limits<double>::infinity();
           looser = std::move(cycle);
         }

@@ -37,8 +37,8 @@ namespace Tribody
      *
      * @param integrate makes the motion with an accuracy [-] that goes on from
      *   a looser one, or begins where there is none (the null pointer).
-     * @throws ExcRun what the motion with the finest accuracy throws; a looser
-     *   one may fail.
+     * @throws ExcRun what the motion with the finest accuracy throws, if all
+     *   have failed; after one that has not, the last that has not is returned.
      */
     DutyCycle
     integrate_as_needed(

@@ -58,9 +58,10 @@ namespace Tribody
      * the sum of it.
      *
      * A mean of forces in different directions is less than that of their
-     * magnitudes. Where least is lost, seen from the bushing or from the pin,
-     * loads are merged first, as long as all of it is no more than @p tolerance
-     * [-] of force times sliding; the others stay as they are. Last comes the
+     * magnitudes, and forces of different size wear in other places than their
+     * mean. Where least is lost, seen from the bushing or from the pin, loads
+     * are merged first, as long as all of it is no more than @p tolerance [-]
+     * of force times sliding; the others stay as they are. Last comes the
      * largest load of all with no sliding, for the largest pressure. One cycle
      * is returned as it is.
      */
