@@ -747,8 +747,8 @@ namespace Tribody
                                     ? continue_from(equations, *before->end)
                                     : compute_start(equations);
       // One that had to start anew has something to settle again.
-      const bool repeats = !goes_on || before->settling.converged ||
-                           start.state.time != before->end->state.time;
+      bool repeats = !goes_on || before->settling.converged ||
+                     start.state.time != before->end->state.time;
       DynamicsParameters as_needed   = parameters;
       const auto         motion_from = [&](const double          with_accuracy,
                                    const MechanismState &begin,
@@ -756,11 +756,6 @@ namespace Tribody
         as_needed.accuracy = with_accuracy;
         return integrate(equations, scales, arcs, as_needed, begin, may_repeat);
       };
-      // Bristles of friction laws with memory never settle with less.
-      const double accuracy =
-        parameters.accuracy == 0. && mechanism.n_friction_states() > 0
-          ? DynamicsParameters().accuracy
-          : parameters.accuracy;
       const auto motion_as_needed = [&]() {
         return integrate_as_needed(
           [&](const double with_accuracy, const DutyCycle *looser) {
@@ -776,11 +771,12 @@ namespace Tribody
           arcs);
       };
       DutyCycle cycle;
-      if (accuracy > 0.)
+      if (parameters.accuracy > 0.)
         {
-          cycle = motion_from(accuracy, start.state, repeats);
+          cycle = motion_from(parameters.accuracy, start.state, repeats);
           for (JointDutyCycle &joint : cycle.joints)
-            joint.integration_error = usual_integration_error(accuracy);
+            joint.integration_error =
+              usual_integration_error(parameters.accuracy);
         }
       else if (before == nullptr || before->accuracy == 0.)
         cycle = motion_as_needed();
@@ -796,7 +792,8 @@ namespace Tribody
         catch (const ExcRun &)
           {
             // In bores that have worn since it may take more.
-            cycle = motion_as_needed();
+            cycle   = motion_as_needed();
+            repeats = true;
           }
       if (!repeats)
         {

@@ -64,7 +64,7 @@ namespace Tribody
       constexpr double allowed = 2e-3;
       constexpr double loosest = 4e-2, finest = 1e-5, ratio = 4.;
 
-      // Where less of the difference goes than this, it is scatter.
+      // Where more is left of a difference than this, it is scatter.
       constexpr double least_gain = 0.5, largest_gain = 0.75;
 
       double                   before = std::numeric_limits<double>::infinity();
@@ -97,8 +97,12 @@ namespace Tribody
                                           : usual_integration_error(accuracy);
               largest = std::max(largest, joint.integration_error);
             }
-          if (is_finest || (looser && (largest <= allowed ||
-                                       largest >= least_gain * before)))
+          const bool agrees =
+            looser && (largest <= allowed || largest >= least_gain * before);
+          const bool may_settle =
+            looser && !cycle.settling.converged &&
+            cycle.settling.distance < least_gain * looser->settling.distance;
+          if (is_finest || (agrees && !may_settle))
             {
               // It may be a slow approach as well: the rest of its series.
               const double gain = std::min(largest / before, largest_gain);

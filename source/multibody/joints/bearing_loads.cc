@@ -48,9 +48,11 @@ namespace Tribody
 
       // Let load @p to of @p target be those of @p group. Returns the force
       // times sliding that is lost, on the bushing or on the pin, with what the
-      // spread of the forces may change where the wear is deepest: like the
-      // pressure of a narrow contact it goes with the root of the force, whose
-      // mean is less than the root of the mean by 1/8 of the variance.
+      // spread of forces and speeds may change. Like the pressure of a narrow
+      // contact, wear where it is deepest goes with the root of the force,
+      // whose mean is less than the root of the mean by 1/8 of the relative
+      // variance; so much is taken for the speed, on which a wear coefficient
+      // may depend.
       double
       merge(const BearingLoads &loads,
             const Group        &group,
@@ -75,18 +77,21 @@ namespace Tribody
             speed += weight * loads.sliding_speed(j);
             work += weighted * distance;
           }
+        const auto relative_square = [](const double x, const double mean) {
+          return mean > 0. ? std::pow(x / mean - 1., 2) : 0.;
+        };
         double variance = 0.;
         for (const Eigen::Index j : group)
-          variance += (distance > 0. ? loads.sliding_increment(j) : 0.) *
-                      std::pow(loads.normal_force(j) - force.norm(), 2);
+          variance += loads.sliding_increment(j) *
+                      (relative_square(loads.normal_force(j), force.norm()) +
+                       relative_square(loads.sliding_speed(j), speed));
         target.normal_force(to)          = force.norm();
         target.contact_angle_bushing(to) = angle_of(force);
         target.contact_angle_pin(to)     = angle_of(on_pin);
         target.sliding_increment(to)     = distance;
         target.sliding_speed(to)         = speed;
-        const double lost =
-          work - distance * std::min(force.norm(), on_pin.norm());
-        return variance > 0. ? lost + variance / (8. * force.norm()) : lost;
+        return work - distance * std::min(force.norm(), on_pin.norm()) +
+               force.norm() * variance / 8.;
       }
 
 

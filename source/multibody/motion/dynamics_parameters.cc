@@ -73,12 +73,12 @@ namespace Tribody
           "expected penetration of a joint with clearance (if there is none, "
           "1e-4 of the mechanism's size, and for velocities that in the time "
           "of a cycle over 2 pi). 3e-4 gives joint forces to better than 0.1 "
-          "%. 0 takes this in runs without wear, for LuGre friction and for an "
-          "energy balance; in other runs with wear as much as changes the wear "
-          "of the first cycles by less than 0.2 % against four times as much. "
-          "If the clearance of a joint is more than ten penetrations, so that "
-          "its pin strikes, a tenth of this is allowed: every impact "
-          "multiplies errors.");
+          "%. 0 takes this in runs without wear and for an energy balance; in "
+          "other runs with wear as much as changes the wear of the first "
+          "cycles by less than 0.2 % against four times as much. If the "
+          "clearance of a joint is more than ten penetrations, so that its pin "
+          "strikes, a tenth of this is allowed: every impact multiplies "
+          "errors.");
         Parameters::add_integer(
           prm,
           "Maximum order",

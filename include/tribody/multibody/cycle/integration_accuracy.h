@@ -31,9 +31,10 @@ namespace Tribody
      * A motion with as little accuracy as the wear allows: each goes on from
      * the one before it with a quarter of its tolerance, until the wear of both
      * is the same to 0.2 %, where it is deepest and in all, or differs by more
-     * than half of what it did before: then it is scatter. That difference is
-     * JointDutyCycle::integration_error, three halves of the error that a
-     * method of second order has left.
+     * than half of what it did before: then it is scatter. One that has not
+     * settled goes on while that halves its distance from one that repeats. The
+     * difference of the wear is JointDutyCycle::integration_error, three halves
+     * of the error that a method of second order has left.
      *
      * @param integrate makes the motion with an accuracy [-] that goes on from
      *   a looser one, or begins where there is none (the null pointer).
