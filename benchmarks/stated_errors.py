@@ -44,6 +44,7 @@ CASES = [
     ("60 rpm", QUICK, [SPEED + "=60 rpm"]),
     ("120 rpm", QUICK, [SPEED + "=120 rpm"]),
     ("180 rpm", QUICK, [SPEED + "=180 rpm"]),
+    ("300 rpm", QUICK, [SPEED + "=300 rpm"]),
     ("modulus 0.07 GPa", QUICK, [PTFE + "=0.07 GPa"]),
     ("modulus 0.5 GPa", QUICK, [PTFE + "=0.5 GPa"]),
     ("modulus 2 GPa", QUICK, [PTFE + "=2 GPa"]),

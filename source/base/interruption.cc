@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <unistd.h>
 
 namespace Tribody
@@ -26,6 +27,8 @@ namespace Tribody
     // What a signal handler may write to.
     volatile std::sig_atomic_t interrupting = 0;
     volatile std::sig_atomic_t says_so      = 0;
+
+    std::optional<std::chrono::steady_clock::time_point> time_limit;
 
     extern "C" void
     remember_signal(const int signal)
@@ -106,5 +109,23 @@ namespace Tribody
   {
     if (interrupting != 0)
       throw ExcInterrupted(interrupting);
+    if (time_limit && std::chrono::steady_clock::now() > *time_limit)
+      throw ExcTimeLimit();
+  }
+
+
+
+  TimeLimit::TimeLimit(const std::chrono::duration<double> given)
+  {
+    using Clock = std::chrono::steady_clock;
+    time_limit =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
+  }
+
+
+
+  TimeLimit::~TimeLimit()
+  {
+    time_limit.reset();
   }
 } // namespace Tribody

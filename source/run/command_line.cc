@@ -13,6 +13,7 @@
 #include <tribody/case/case_parameters.h>
 #include <tribody/output/output_directory.h>
 #include <tribody/run/command_line.h>
+#include <tribody/run/run_cost.h>
 #include <tribody/run/wear_simulation.h>
 
 namespace Tribody
@@ -30,7 +31,7 @@ namespace Tribody
         // clang-format off
         options.add_options()
           ("check", "read, verify, assemble the mechanism, build the meshes; "
-                    "report; do not run")
+                    "measure what the run would take; report; write nothing")
           ("set", po::value<std::vector<std::string>>()->value_name("\"A/B=value\""),
            "override a parameter, repeatable (A/B: subsections, then the name)")
           ("output", po::value<std::string>()->value_name("DIR"),
@@ -156,7 +157,16 @@ namespace Tribody
       WearSimulation simulation(parameters, console, communicator);
       simulation.print_setup();
       if (only_checks)
-        console.out() << "The file is in order; nothing was run." << std::endl;
+        {
+          print_cost(console.out(),
+                     measure_cost(simulation,
+                                  parameters,
+                                  std::chrono::seconds(10),
+                                  communicator),
+                     parameters);
+          console.out() << "The file is in order; nothing was written."
+                        << std::endl;
+        }
       else
         simulation.run(directory);
       return 0;

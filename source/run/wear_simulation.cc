@@ -307,6 +307,14 @@ namespace Tribody
 
 
 
+    std::map<std::string, double>
+    WearSimulation::times_of_parts() const
+    {
+      return timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+    }
+
+
+
     RunResults
     WearSimulation::run(Output::OutputDirectory &directory)
     {

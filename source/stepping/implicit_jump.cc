@@ -31,6 +31,10 @@ namespace Tribody
       // Part of the rate, in the norm of the errors: forces that are less sure
       // than that say nothing about the nodes in contact.
       constexpr double max_inconsistency = 1e-2;
+      // Part of the tolerance of a step: nodes whose change moves a stage by
+      // less than that may go on changing, as those that carry next to nothing
+      // do among hundreds of loads.
+      constexpr double max_stage_error = 1e-2;
 
 
 
@@ -192,7 +196,9 @@ namespace Tribody
           ++n_evaluations;
           const Eigen::VectorXd first = rate_of(hold_nodes(cycles, y));
           stage_matrix.compute(compute_jacobian(), gamma);
-          y += stage_matrix.solve(a + gamma * first - y);
+          const Eigen::VectorXd correction =
+            stage_matrix.solve(a + gamma * first - y);
+          y += correction;
 
           contacts                       = hold_nodes(cycles, y);
           const Eigen::VectorXd rate     = rate_of(contacts);
@@ -201,7 +207,9 @@ namespace Tribody
             continue;
 
           const std::size_t n_wrong = count_wrong_nodes();
-          if (n_wrong == 0)
+          const bool        nodes_matter =
+            k == 0 || norm(correction) > max_stage_error * tolerance;
+          if (n_wrong == 0 || !nodes_matter)
             return y + stage_matrix.solve(residual);
           if (n_wrong < fewest)
             {

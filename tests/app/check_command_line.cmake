@@ -36,7 +36,7 @@ expect_match("^tribody ${_number} \\([0-9a-z-]+\\), deal\\.II ${_number}[^,\n]*,
 
 # One line for the title, the memory, the mechanism and each bushing, and the verdict.
 run(--check ${CASE} --output results)
-expect_match("^[^\n]+\nMemory: about [0-9]+ MB [^\n]+\nMechanism: 3 bodies, 4 joints, 2 degrees of freedom\nBushing crank_pin: 120 bore nodes, [^\n]+\nThe file is in order; nothing was run\\.\n$")
+expect_match("^[^\n]+\nMemory: about [0-9]+ MB [^\n]+\nMechanism: 3 bodies, 4 joints, 2 degrees of freedom\nBushing crank_pin: 120 bore nodes, [^\n]+\nTime: about [0-9.]+ s \\(the first cycle [0-9.]+ s, a wear step [0-9.]+ s, of which the motion [0-9.]+ s; about [0-9]+ steps\\)\nThe file is in order; nothing was written\\.\n$")
 expect_files()
 
 # The template is a parameter file: the program takes it back, once the names
@@ -51,7 +51,7 @@ run(--check template.prm --output results
   --set "Driver driver/Speed=60 rpm"
   --set "Force force/Marker=body.O"
   --set "Torque torque/Body=body")
-expect_match("\nMechanism: 1 body, 1 joint, 0 degrees of freedom\nThe file is in order; nothing was run\\.\n$")
+expect_match("\nMechanism: 1 body, 1 joint, 0 degrees of freedom\nTime: about [0-9.e-]+ s \\(the motion\\)\nThe file is in order; nothing was written\\.\n$")
 expect_files(template.prm)
 
 # Each parameter of the template is explained: a comment stands above it.

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <chrono>
 #include <string>
 
 namespace Tribody
@@ -39,6 +40,38 @@ namespace Tribody
     int signal;
   };
 
+  /// The time that a TimeLimit gives is over. It is no ExcRun either.
+  class ExcTimeLimit : public dealii::ExceptionBase
+  {
+  public:
+    ~ExcTimeLimit() noexcept override = default;
+
+    /// "time limit reached".
+    void
+    print_info(std::ostream &out) const override
+    {
+      out << "time limit reached" << std::endl;
+    }
+  };
+
+  /**
+   * As long as it lives, stop_if_interrupted() ends what lasts longer than the
+   * time that it gives. There is one at a time, for a program with one rank:
+   * others would not notice at the same moment.
+   */
+  class TimeLimit
+  {
+  public:
+    /// From now on.
+    explicit TimeLimit(const std::chrono::duration<double> given);
+
+    ~TimeLimit();
+
+    TimeLimit(const TimeLimit &) = delete;
+    TimeLimit &
+    operator=(const TimeLimit &) = delete;
+  };
+
   /**
    * Ask for SIGINT (Ctrl-C), SIGTERM, SIGHUP (a closed terminal) and SIGUSR1 to
    * be remembered instead of ending the program, so that a run can write what
@@ -55,8 +88,9 @@ namespace Tribody
   int
   interrupting_signal();
 
-  /// @throws ExcInterrupted if a signal has come. For loops that last; where
-  /// ranks work together it must come to all of them alike.
+  /// @throws ExcInterrupted if a signal has come, ExcTimeLimit if a TimeLimit
+  /// is over. For loops that last; where ranks work together it must come to
+  /// all of them alike.
   void
   stop_if_interrupted();
 } // namespace Tribody

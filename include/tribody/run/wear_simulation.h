@@ -17,8 +17,10 @@
 
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mpi.h>
+#include <string>
 
 namespace Tribody
 {
@@ -80,6 +82,11 @@ namespace Tribody
       /// What has been reached; without the costs.
       RunResults
       results() const;
+
+      /// Wall clock [s] that start() and advance() have taken so far for the
+      /// parts that are named in the table at the end of a run.
+      std::map<std::string, double>
+      times_of_parts() const;
 
       /**
        * Run all cycles and write the results to @p directory, the summary last.
