@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace Tribody
 {
@@ -50,6 +51,12 @@ namespace Tribody
       // Share of the wear that it would change, from which on a motion is
       // integrated where that is left to the program.
       constexpr double tolerated_wear = 5e-3;
+      constexpr double any_wear       = std::numeric_limits<double>::infinity();
+
+      // Steps in a cycle, seconds of processor time, after which an integration
+      // that is only the better way is given up: in worn bores a pin that
+      // touches in two places may jump between them without end.
+      constexpr unsigned int steps_worth_trying = 50000;
 
       // Set them in the joints of cycle. Throws ExcRun beyond the limits: of
       // the share, and of that of the wear.
@@ -91,6 +98,19 @@ namespace Tribody
               (cycle.settling.message.empty() ? "is quasi-static: " : "; ") +
               text;
           }
+      }
+
+
+
+      bool
+      neglects_more_than_tolerated(const DutyCycle &cycle)
+      {
+        return std::any_of(cycle.joints.begin(),
+                           cycle.joints.end(),
+                           [](const JointDutyCycle &joint) {
+                             return joint.wear_of_neglected_inertia >
+                                    tolerated_wear;
+                           });
       }
 
 
@@ -316,7 +336,8 @@ namespace Tribody
                           : run_dynamics(equations,
                                          reference_scales(supports),
                                          arcs,
-                                         before);
+                                         before,
+                                         parameters.maximum_steps_per_cycle);
     }
 
 
@@ -381,27 +402,66 @@ namespace Tribody
       const Arcs                        &arcs,
       const DutyCycle                   *before) const
     {
-      // A motion that is integrated goes on.
-      if (before != nullptr && before->end)
-        return run_dynamics(equations, scales, arcs, before);
-      const auto follow = [&](const unsigned int n) {
-        return run_following(equations, n);
+      const auto follow = [&](const double largest_wear) {
+        return refine_samples(arcs, [&](const unsigned int n) {
+          return run_following(equations, n, largest_wear);
+        });
       };
       if (parameters.joint_motion == JointMotion::quasi_static)
-        return refine_samples(arcs, follow);
+        return follow(any_wear);
+      // A motion that is integrated goes on, and so does one that could not be.
+      const bool goes_on = before != nullptr && before->end;
+      const bool gave_up = before != nullptr && before->is_quasi_static &&
+                           neglects_more_than_tolerated(*before);
       std::string reason;
+      if (!goes_on)
+        try
+          {
+            return follow(gave_up ? any_wear : tolerated_wear);
+          }
+        catch (const ExcRun &error)
+          {
+            reason = message_of(error);
+          }
+      // Following is right to what it neglects, if it is not beyond its limits.
+      std::optional<DutyCycle> following;
       try
         {
-          return refine_samples(arcs, follow);
+          following = follow(any_wear);
+        }
+      catch (const ExcRun &)
+        {}
+      DutyCycle cycle;
+      try
+        {
+          cycle = run_dynamics(equations,
+                               scales,
+                               arcs,
+                               before,
+                               following
+                                 ? std::min(steps_worth_trying,
+                                            parameters.maximum_steps_per_cycle)
+                                 : parameters.maximum_steps_per_cycle);
         }
       catch (const ExcRun &error)
         {
-          reason = message_of(error);
+          AssertThrow(following || reason.empty(),
+                      ExcRun(message_of(error) +
+                             " It was integrated, as pins do not follow their "
+                             "bores (" +
+                             reason + ")."));
+          if (!following)
+            throw;
+          following->settling.message +=
+            "; it could not be integrated instead (" + message_of(error) + ')';
+          return *following;
         }
-      DutyCycle    cycle   = run_dynamics(equations, scales, arcs, before);
-      std::string &message = cycle.settling.message;
-      message = "was integrated, as pins do not follow their bores (" + reason +
-                ")" + (message.empty() ? "" : "; ") + message;
+      if (!goes_on)
+        {
+          std::string &message = cycle.settling.message;
+          message = "was integrated, as pins do not follow their bores (" +
+                    reason + ")" + (message.empty() ? "" : "; ") + message;
+        }
       return cycle;
     }
 
@@ -409,7 +469,8 @@ namespace Tribody
 
     DutyCycle
     CycleSimulation::run_following(const EquationsOfMotion &equations,
-                                   const unsigned int       n) const
+                                   const unsigned int       n,
+                                   const double             largest_wear) const
     {
       CycleRecorder       recorder(equations, n, period);
       const FollowingPins pins(equations, closed_equations);
@@ -449,12 +510,7 @@ namespace Tribody
       cycle.settling.n_cycles  = 1;
       cycle.settling.converged = true;
       cycle.is_quasi_static    = true;
-      judge_neglected_inertia(pins,
-                              followed.neglected,
-                              parameters.joint_motion == JointMotion::automatic
-                                ? tolerated_wear
-                                : std::numeric_limits<double>::infinity(),
-                              cycle);
+      judge_neglected_inertia(pins, followed.neglected, largest_wear, cycle);
       for (JointDutyCycle &joint : cycle.joints)
         joint.peak_force_since_start = joint.peak_force();
       return cycle;
@@ -738,7 +794,8 @@ namespace Tribody
     CycleSimulation::run_dynamics(const EquationsOfMotion           &equations,
                                   const std::vector<ReferenceScale> &scales,
                                   const Arcs                        &arcs,
-                                  const DutyCycle *before) const
+                                  const DutyCycle                   *before,
+                                  const unsigned int maximum_steps) const
     {
       // Whoever records the first cycle wants that of the start.
       const bool goes_on = before != nullptr && before->end &&
@@ -749,8 +806,9 @@ namespace Tribody
       // One that had to start anew has something to settle again.
       bool repeats = !goes_on || before->settling.converged ||
                      start.state.time != before->end->state.time;
-      DynamicsParameters as_needed   = parameters;
-      const auto         motion_from = [&](const double          with_accuracy,
+      DynamicsParameters as_needed      = parameters;
+      as_needed.maximum_steps_per_cycle = maximum_steps;
+      const auto motion_from = [&](const double          with_accuracy,
                                    const MechanismState &begin,
                                    const bool            may_repeat) {
         as_needed.accuracy = with_accuracy;

@@ -299,6 +299,8 @@ namespace Tribody
           contact.direction = pins[p].direction;
           contact.angle_in_bushing += turned_by;
           contact.angle_in_pin += turned_by;
+          contact.sliding_speed    = pins[p].sliding_speed;
+          contact.swing_speed      = pins[p].swing_speed;
           contact.penetration      = pins[p].penetration;
           contact.penetration_rate = 0.;
           contact.normal_force     = pins[p].normal_force;

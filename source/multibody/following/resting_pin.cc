@@ -61,17 +61,30 @@ namespace Tribody
         equations.mechanism().clearance_joints()[index];
       const double force = reaction.norm();
 
-      // The reaction is F_N (n + ratio k x n).
-      const double friction_ratio =
-        compute_friction_ratio(joint.friction_law,
-                               contact.sliding_speed,
-                               compute_steady_friction_state(
-                                 joint.friction_law, contact.sliding_speed))
-          .value;
-      RestingPin pin;
-      pin.ratio = friction_ratio;
-      if (force > 0)
-        pin.ratio += joint.tangential_damping * contact.swing_speed / force;
+      // The reaction is F_N (n + ratio k x n), and the ratio that of the
+      // sliding at n. Not of that in the deepest place: of two that are as deep
+      // it is now the one and now the other.
+      RestingPin      pin;
+      Eigen::Vector2d normal =
+        force > 0 ? Eigen::Vector2d(reaction / force) : contact.direction;
+      double friction_ratio = 0.;
+      for (unsigned int round = 0; round < 3; ++round)
+        {
+          pin.sliding_speed = contact.sliding_speed_at(normal);
+          pin.swing_speed   = contact.swing_speed_at(normal);
+          friction_ratio =
+            compute_friction_ratio(joint.friction_law,
+                                   pin.sliding_speed,
+                                   compute_steady_friction_state(
+                                     joint.friction_law, pin.sliding_speed))
+              .value;
+          pin.ratio = friction_ratio;
+          if (force > 0)
+            {
+              pin.ratio += joint.tangential_damping * pin.swing_speed / force;
+              normal = turned(reaction / force, -std::atan(pin.ratio));
+            }
+        }
       pin.normal_force           = force / std::hypot(1., pin.ratio);
       const double bushing_angle = angle_of(joint.bodies.second, motion.q);
       const double pin_angle     = angle_of(joint.bodies.first, motion.q);

@@ -163,6 +163,7 @@ namespace Tribody
         const Eigen::Vector2d   n = at.direction, t = perpendicular(n);
         const double            angle = std::atan2(n.y(), n.x());
         contact.eccentricity          = motion.e_global;
+        contact.eccentricity_rate     = turned(e_t, q(5));
         contact.direction             = turned(n, q(5));
         contact.angle_in_bushing      = angle;
         contact.angle_in_pin          = angle - motion.w(2);

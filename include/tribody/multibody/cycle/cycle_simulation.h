@@ -164,12 +164,15 @@ namespace Tribody
       bool
       may_follow() const;
 
-      // With pins that follow their bores. Throws ExcRun where they do not.
+      // With pins that follow their bores. Throws ExcRun where they do not, or
+      // where that neglects more than this share of the wear of a joint.
       DutyCycle
       run_following(const EquationsOfMotion &equations,
-                    const unsigned int       n) const;
+                    const unsigned int       n,
+                    const double             largest_wear) const;
 
-      // Quasi-static if asked for and possible, or dynamic.
+      // Quasi-static if asked for and possible, or dynamic; quasi-static with
+      // what it neglects if it cannot be integrated.
       DutyCycle
       run_joints_with_gaps(const EquationsOfMotion           &equations,
                            const std::vector<ReferenceScale> &scales,
@@ -180,7 +183,8 @@ namespace Tribody
       run_dynamics(const EquationsOfMotion           &equations,
                    const std::vector<ReferenceScale> &scales,
                    const Arcs                        &arcs,
-                   const DutyCycle                   *before) const;
+                   const DutyCycle                   *before,
+                   const unsigned int                 maximum_steps) const;
 
       // From begin on, with accuracy and samples as needed. It is expected to
       // repeat, or not.

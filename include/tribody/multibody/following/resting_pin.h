@@ -33,6 +33,10 @@ namespace Tribody
       double normal_force = 0.;
       /// Tangential over normal force [-].
       double ratio = 0.;
+      /// As in JointContact, where the normal is that of the contact [m/s].
+      double sliding_speed = 0.;
+      /// @copydoc sliding_speed
+      double swing_speed = 0.;
       /// Of the contact forces on the pin about its centre and on the bushing
       /// about its own [N m].
       Eigen::Vector2d moments = Eigen::Vector2d::Zero();

@@ -19,6 +19,8 @@ namespace Tribody
     {
       /// Pin centre minus bushing centre, e [m], global axes.
       Eigen::Vector2d eccentricity = Eigen::Vector2d::Zero();
+      /// Its rate as seen from the bushing [m/s], global axes.
+      Eigen::Vector2d eccentricity_rate = Eigen::Vector2d::Zero();
       /// n, the normal of the contact, into the bushing, global axes; for a
       /// round bore e/|e|.
       Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
@@ -49,6 +51,21 @@ namespace Tribody
       double elastic_power = 0.;
       /// Energy stored, for laws that know it; the others say zero [J].
       double elastic_energy = 0.;
+
+      /// swing_speed and sliding_speed if the contact were where its normal is
+      /// @p n, global axes: a pin in a worn bore may touch it in two places.
+      double
+      swing_speed_at(const Eigen::Vector2d &n) const
+      {
+        return perpendicular(n).dot(eccentricity_rate);
+      }
+
+      /// @copydoc swing_speed_at()
+      double
+      sliding_speed_at(const Eigen::Vector2d &n) const
+      {
+        return sliding_speed - swing_speed + swing_speed_at(n);
+      }
 
       /// Force of the pin on the bushing [N], global axes.
       Eigen::Vector2d
