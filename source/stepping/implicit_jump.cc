@@ -189,6 +189,9 @@ namespace Tribody
       std::vector<CycleContact> best;
       std::size_t  fewest    = std::numeric_limits<std::size_t>::max();
       unsigned int n_in_vain = 0;
+      // Whether the nodes that were wrong have just changed, all or one of each
+      // sample.
+      bool changed_nodes = false, one_by_one = false;
       for (unsigned int k = 0; k < max_iterations; ++k)
         {
           // Newton's step for all contacts and the wear together: the contacts
@@ -204,12 +207,17 @@ namespace Tribody
           const Eigen::VectorXd rate     = rate_of(contacts);
           const Eigen::VectorXd residual = a + gamma * rate - y;
           if (norm(residual) > max_inconsistency * gamma * norm(rate))
-            continue;
+            {
+              changed_nodes = false;
+              continue;
+            }
 
+          // What changing the nodes before has moved is more than changing
+          // those that are left will.
           const std::size_t n_wrong = count_wrong_nodes();
-          const bool        nodes_matter =
-            k == 0 || norm(correction) > max_stage_error * tolerance;
-          if (n_wrong == 0 || !nodes_matter)
+          const double moved = (one_by_one ? n_wrong : 1.) * norm(correction);
+          if (n_wrong == 0 ||
+              (changed_nodes && moved <= max_stage_error * tolerance))
             return y + stage_matrix.solve(residual);
           if (n_wrong < fewest)
             {
@@ -219,7 +227,9 @@ namespace Tribody
             }
           else if (++n_in_vain == max_in_vain)
             contacts = best;
-          change_nodes(n_in_vain >= max_in_vain);
+          one_by_one    = n_in_vain >= max_in_vain;
+          changed_nodes = true;
+          change_nodes(one_by_one);
         }
       return {};
     }
