@@ -152,16 +152,17 @@ def faults_of_results(outcome, directory):
     return faults[:2]
 
 
-def run_case(program, case, directory):
+def run_case(program, case, directory, slow):
     """A run that is asked to stop when it takes long. Returns (outcome, faults)."""
-    arguments = (f"--kill-after={PATIENCE}", str(RUN_LIMIT), program, case)
+    limit = RUN_LIMIT * slow
+    arguments = (f"--kill-after={PATIENCE * slow}", str(limit), program, case)
     outcome = judge.run(
         shutil.which("timeout"),
         "--signal=TERM",
         directory,
         (*arguments, "--output", "results"),
-        time_limit=RUN_LIMIT + PATIENCE + 10.0,
-        memory_limit=MEMORY,
+        time_limit=limit + PATIENCE * slow + 10.0,
+        memory_limit=memory_limit(slow),
     )
     # Of timeout(1): 124 if the program ended when it was asked to, 137 if it did not.
     statuses = (0, 1, 2, 124)
@@ -188,23 +189,29 @@ def make_case(seeds, words, seed, number):
     return case, is_run, done
 
 
-def try_one(program, seeds, words, top, seed, number):
+def memory_limit(slow):
+    """Sanitizers, which make a program slow, need terabytes of address space."""
+    return MEMORY if slow == 1 else 0
+
+
+def try_one(program, seeds, words, top, seed, number, slow):
     """One mutation. Returns (what was done, outcome, faults, its directory)."""
     case, is_run, done = make_case(seeds, words, seed, number)
     directory = os.path.join(top, f"{seed}_{number:05d}")
     os.makedirs(directory)
     case.write(directory)
     if is_run:
-        outcome, faults = run_case(program, case.main, directory)
+        outcome, faults = run_case(program, case.main, directory, slow)
     else:
         outcome = judge.run(
             program,
             case.main,
             directory,
-            time_limit=CHECK_LIMIT,
-            memory_limit=MEMORY,
+            time_limit=CHECK_LIMIT * slow,
+            memory_limit=memory_limit(slow),
         )
-        faults = judge.faults_of(outcome)
+        # The first cycle, which is measured, may fail.
+        faults = judge.faults_of(outcome, (0, 1, 2))
     raw = RAW.search((outcome.stdout + outcome.stderr).decode(errors="replace"))
     if raw:
         faults.append(f"has the raw text '{raw.group()}'")
@@ -231,6 +238,12 @@ def parse(arguments):
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--keep", metavar="DIRECTORY")
+    parser.add_argument(
+        "--slow",
+        type=int,
+        default=1,
+        help="times as much time, and no limit of the memory: for sanitizers",
+    )
     return parser.parse_args(arguments)
 
 
@@ -261,7 +274,16 @@ def main(arguments):
     statuses, kinds = collections.Counter(), collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         futures = [
-            pool.submit(try_one, program, seeds, words, top, options.seed, number)
+            pool.submit(
+                try_one,
+                program,
+                seeds,
+                words,
+                top,
+                options.seed,
+                number,
+                options.slow,
+            )
             for number in range(options.first, options.first + options.count)
         ]
         for number, future in enumerate(futures, options.first):
