@@ -168,9 +168,14 @@ print_bushing(const BushingResults &results,
   const CycleContact   &contact = state.joints[results.number].contact;
   std::cout << std::setprecision(1) << "  depth "
             << bushing.max_wear_depth * 1e6 << " um, volume "
-            << bushing.worn_volume * 1e9 << " mm^3, at "
-            << Units::degrees(bushing.max_wear_angle) << " deg, half-angle "
-            << std::setprecision(0)
+            << bushing.worn_volume * 1e9 << " mm^3, ";
+  // Where a bore wears alike all round, rounding decides where most.
+  const Eigen::VectorXd &depth = state.joints[results.number].depth;
+  if (depth.minCoeff() > 0.99 * depth.maxCoeff())
+    std::cout << "all round";
+  else
+    std::cout << "at " << Units::degrees(bushing.max_wear_angle) << " deg";
+  std::cout << ", half-angle " << std::setprecision(0)
             << Units::degrees(contact.at_peak_force().half_angle) << " deg"
             << std::endl;
   if (results.crescent)

@@ -5,7 +5,9 @@
 Usage: check_format.py ROOT
 """
 
+import concurrent.futures
 import difflib
+import os
 import re
 import shutil
 import subprocess
@@ -38,10 +40,14 @@ def main(root):
 
     offences = Offences(root)
     files = find_files(root, DIRECTORIES, (".h", ".cc"))
-    for path in files:
-        result = subprocess.run(
-            [clang_format, "--style=file", path], capture_output=True, text=True
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = pool.map(
+            lambda path: subprocess.run(
+                [clang_format, "--style=file", path], capture_output=True, text=True
+            ),
+            files,
         )
+    for path, result in zip(files, results):
         if result.returncode != 0:
             offences.add(path, 1, f"clang-format failed: {result.stderr.strip()}")
             continue
