@@ -19,8 +19,9 @@ with the counts, keeps the directories of those with faults (all else is removed
 and returns the exit status for `sys.exit`: 0 if there are no faults.
 
 A run is well if it ends by itself within the time, with status 0 (accepted), 1 (it
-would fail in its first cycle) or 2 (refused), has written no file, and if what it says is short (1 kB at most when it
-refuses), printable, of the program's own words, and not empty when it refuses.
+would fail in its first cycle) or 2 (refused), has written no file, and if what it
+says is short (1 kB at most when it refuses), printable, of the program's own words,
+and not empty when it refuses.
 """
 
 import argparse

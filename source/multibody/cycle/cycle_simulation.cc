@@ -452,8 +452,10 @@ namespace Tribody
                              reason + ")."));
           if (!following)
             throw;
-          following->settling.message +=
-            "; it could not be integrated instead (" + message_of(error) + ')';
+          std::string &message = following->settling.message;
+          message =
+            (message.empty() ? "is quasi-static: it" : message + "; it") +
+            " could not be integrated instead (" + message_of(error) + ')';
           return *following;
         }
       if (!goes_on)
