@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -299,6 +300,16 @@ namespace Tribody
     read(file_name, 0, "");
     for (const std::string &text : overrides)
       add_override(text);
+    index_assignments();
+  }
+
+
+
+  void
+  ParameterFile::index_assignments()
+  {
+    last_of_path.clear();
+    first_of_subsection.clear();
     for (std::size_t i = 0; i < assignments.size(); ++i)
       {
         first_of_subsection.emplace(joined(assignments[i].subsections), i);
@@ -510,6 +521,102 @@ namespace Tribody
     return first == first_of_subsection.end()
              ? file_name + " (default value)"
              : assignments[first->second].location;
+  }
+
+
+
+  std::string
+  ParameterFile::path_within(const std::string &subsection,
+                             const Assignment  &assignment)
+  {
+    const std::string path   = path_of(assignment);
+    const std::string prefix = subsection + "/";
+    return boost::algorithm::starts_with(path, prefix)
+             ? path.substr(prefix.size())
+             : "";
+  }
+
+
+
+  std::vector<std::string>
+  ParameterFile::paths_in(const std::string &subsection) const
+  {
+    std::set<std::string> paths;
+    for (const Assignment &assignment : assignments)
+      if (const std::string path = path_within(subsection, assignment);
+          !path.empty())
+        paths.insert(path);
+    return {paths.begin(), paths.end()};
+  }
+
+
+
+  std::array<std::vector<ParameterFile::Assignment>, 2>
+  ParameterFile::split(const std::string              &subsection,
+                       const std::vector<std::string> &paths) const
+  {
+    std::array<std::vector<Assignment>, 2> parts;
+    for (const Assignment &assignment : assignments)
+      {
+        const bool is_named =
+          std::find(paths.begin(),
+                    paths.end(),
+                    path_within(subsection, assignment)) != paths.end();
+        parts[is_named ? 1 : 0].push_back(assignment);
+      }
+    return parts;
+  }
+
+
+
+  ParameterFile
+  ParameterFile::without(const std::string              &subsection,
+                         const std::vector<std::string> &paths) const
+  {
+    ParameterFile result = *this;
+    result.assignments   = split(subsection, paths)[0];
+    result.index_assignments();
+    return result;
+  }
+
+
+
+  ParameterFile
+  ParameterFile::with_raised(const std::string              &subsection,
+                             const std::vector<std::string> &paths) const
+  {
+    ParameterFile     result = *this;
+    auto              parts  = split(subsection, paths);
+    const std::size_t depth  = split_path(subsection).size();
+    for (Assignment &assignment : parts[1])
+      {
+        assignment.subsections.erase(assignment.subsections.begin(),
+                                     assignment.subsections.begin() + depth);
+        parts[0].push_back(assignment);
+      }
+    result.assignments = parts[0];
+    result.index_assignments();
+    return result;
+  }
+
+
+
+  std::string
+  ParameterFile::print(const std::string              &subsection,
+                       const std::vector<std::string> &paths) const
+  {
+    std::ostringstream text;
+    const auto         parts = split(subsection, paths);
+    for (const Assignment &assignment : parts[1])
+      {
+        for (const std::string &name : assignment.subsections)
+          text << "subsection " << name << '\n';
+        text << "  set " << assignment.name << " = " << assignment.value
+             << '\n';
+        for (std::size_t i = 0; i < assignment.subsections.size(); ++i)
+          text << "end\n";
+      }
+    return text.str();
   }
 
 

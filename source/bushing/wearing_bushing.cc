@@ -138,7 +138,8 @@ namespace Tribody
         contact.slidings.push_back(
           {loads.sliding_increment[j],
            loads.sliding_speed.size() > 0 ? loads.sliding_speed[j] : 0.,
-           sliding_distance});
+           sliding_distance,
+           loads.wear_factor.size() > 0 ? loads.wear_factor[j] : 1.});
       return contact;
     }
 
@@ -527,7 +528,8 @@ namespace Tribody
           if (surface.law.is_constant())
             for (const Wear::Sliding &sliding : contact.slidings)
               constant +=
-                surface.law.archard.area_increment(1., sliding.increment);
+                surface.law.archard.area_increment(
+                  1., sliding.increment * sliding.factor);
           else
             {
               const Ranks::Range own =

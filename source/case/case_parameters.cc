@@ -9,6 +9,7 @@
 #include <tribody/base/in_quotes.h>
 #include <tribody/base/parameter_file.h>
 #include <tribody/base/parameters.h>
+#include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
@@ -18,7 +19,9 @@
 #include <tribody/multibody/system/mechanism.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -30,6 +33,10 @@ namespace Tribody
   {
     namespace
     {
+      constexpr unsigned int max_n_cycles = 999999999;
+
+
+
       // A list whose names have a subsection each, "Body crank".
       struct NameList
       {
@@ -86,7 +93,14 @@ namespace Tribody
            "Names of the joints with clearance whose bushing deforms and "
            "wears; "
            "each has a subsection 'Bushing <name of the joint>'.",
-           {"joint"}}};
+           {"joint"}},
+          {"Load cases",
+           "Load case",
+           "Names of the conditions that the machine works under; each has a "
+           "subsection 'Load case <name>' that says how often, and repeats "
+           "other subsections with the entries that differ. None: one "
+           "condition all the time.",
+           {"load_case"}}};
       }
 
 
@@ -187,10 +201,33 @@ namespace Tribody
         Parameters::add_integer(prm,
                                 "Cycles",
                                 parameters.cycles,
-                                "Cycles to run; 0 runs one settled cycle of "
-                                "the dynamics without any wear.",
+                                "Cycles to run, those of all load cases "
+                                "together; 0 runs one settled cycle of "
+                                "the dynamics without any wear. Not for load "
+                                "cases in sequence, which have their own.",
                                 0,
-                                999999999);
+                                max_n_cycles);
+        Parameters::add_quantity(prm,
+                                 "Stop at time",
+                                 parameters.stop_at_time,
+                                 "s",
+                                 "The run ends after this time, if not before; "
+                                 "0: never. Without 'Cycles' it is their "
+                                 "number, rounded to whole cycles.",
+                                 "h");
+        Parameters::add_quantity(prm,
+                                 "Operating share",
+                                 parameters.operating_share,
+                                 "",
+                                 "The part of the time in which the machine "
+                                 "works: 0.667 for 16 of 24 hours.");
+        Parameters::add_choice(prm,
+                               "Order of load cases",
+                               parameters.load_case_order,
+                               "'repeated': a block of some cycles of each "
+                               "load case comes again and again, so that they "
+                               "wear together; 'in sequence': all cycles of "
+                               "one, then those of the next.");
         for (NameList &list : lists)
           Parameters::add_names(prm, list.list, list.names, list.documentation);
         Parameters::add_point(prm,
@@ -214,6 +251,7 @@ namespace Tribody
         declare_each(prm, lists, "Torque", parameters.mechanism.torques);
         declare_each(prm, lists, "Material", parameters.materials);
         declare_each(prm, lists, "Bushing", parameters.bushings);
+        declare_each(prm, lists, "Load case", parameters.load_cases);
 
         prm.enter_subsection("Dynamics");
         parameters.dynamics.add_parameters(prm);
@@ -432,6 +470,19 @@ namespace Tribody
 
 
 
+      void
+      check_names(const CaseParameters &parameters)
+      {
+        check_file_names("Bodies", parameters.mechanism.bodies);
+        check_file_names("Drivers", parameters.mechanism.drivers);
+        check_file_names("Joints",
+                         parameters.mechanism.joints,
+                         {"bodies", "drivers", "mechanism"});
+        check_file_names("Load cases", parameters.load_cases);
+      }
+
+
+
       // A driver has a speed, or a time function with its amplitude, or both.
       template <typename Require>
       void
@@ -573,7 +624,8 @@ namespace Tribody
 
 
 
-      void
+      // Returns the time that a cycle takes [s].
+      double
       check(const CaseParameters &parameters)
       {
         for (const Material &material : parameters.materials)
@@ -603,6 +655,147 @@ namespace Tribody
                                                     parameters.dynamics);
         if (parameters.cycles > 0)
           simulation.check_repetition();
+        return simulation.duration();
+      }
+
+
+
+      // A run that lasts a time, or as long as its load cases, has its cycles
+      // from there; until they are known it has one.
+      void
+      set_first_cycle(const ParameterFile &file, CaseParameters &parameters)
+      {
+        AssertThrow(parameters.operating_share > 0. &&
+                      parameters.operating_share <= 1.,
+                    ExcParameter("Operating share",
+                                 Units::to_string(parameters.operating_share,
+                                                  "",
+                                                  "") +
+                                   " is no part of the time: it is above 0 and "
+                                   "at most 1"));
+        AssertThrow(parameters.stop_at_time >= 0.,
+                    ExcParameter("Stop at time",
+                                 Units::to_string(parameters.stop_at_time,
+                                                  "s",
+                                                  "h") +
+                                   " is negative"));
+        const bool is_in_sequence =
+          parameters.load_case_order == LoadCaseOrder::in_sequence;
+        AssertThrow(!is_in_sequence || !parameters.load_cases.empty(),
+                    ExcParameter("Order of load cases",
+                                 "'in sequence' needs 'Load cases'"));
+        AssertThrow(!is_in_sequence || parameters.cycles == 0,
+                    ExcParameter("Cycles",
+                                 "load cases in sequence have their own "
+                                 "'Cycles' or 'Duration' each; these are not "
+                                 "set, or 0 for the dynamics alone"));
+        if (!file.is_set("Cycles") &&
+            (is_in_sequence || parameters.stop_at_time > 0.))
+          parameters.cycles = 1;
+      }
+
+
+
+      // One load case of the file, or all of it if there are none: read,
+      // resolved and checked. The file is as this case has it.
+      CaseParameters
+      read_load_case(const ParameterFile &file,
+                     const std::string   &file_name,
+                     const std::string   &name)
+      {
+        CaseParameters           parameters;
+        std::vector<NameList>    lists = read_name_lists(file);
+        dealii::ParameterHandler prm;
+        declare(prm, parameters, lists);
+        file.apply(prm, lists_of_kinds(lists));
+
+        const std::string prefix =
+          name.empty() ? "" : "Load case " + name + ": ";
+        try
+          {
+            set_first_cycle(file, parameters);
+            check_names(parameters);
+            check_bushing_joints(parameters);
+            apply_scheme(parameters);
+            check_required(file, parameters);
+            resolve_materials(parameters);
+            resolve_mesh_files(file, parameters);
+            const double period = check(parameters);
+            if (name.empty())
+              parameters.load_cases.emplace_back();
+            for (LoadCase &load_case : parameters.load_cases)
+              if (load_case.name == name)
+                {
+                  load_case.mechanism = parameters.mechanism;
+                  load_case.dynamics  = parameters.dynamics;
+                  load_case.period    = period;
+                }
+          }
+        catch (const ExcParameter &exception)
+          {
+            throw ExcInput(file.location(exception.path) + ": " + prefix +
+                           exception.path + ": " + exception.problem);
+          }
+        // Nothing has been run: what cannot be evaluated here is part of the
+        // input.
+        catch (const ExcRun &exception)
+          {
+            throw ExcInput(file_name + ": " + prefix + message_of(exception));
+          }
+        return parameters;
+      }
+
+
+
+      // With the cycles that this makes.
+      void
+      set_spectrum(const ParameterFile &file, CaseParameters &parameters)
+      {
+        parameters.spectrum =
+          make_spectrum(parameters.load_cases, parameters.load_case_order);
+        if (parameters.cycles == 0)
+          return;
+        double n_cycles =
+          parameters.load_case_order == LoadCaseOrder::in_sequence
+            ? parameters.spectrum.n_cycles()
+            : std::numeric_limits<double>::infinity();
+        if (file.is_set("Cycles"))
+          n_cycles = parameters.cycles;
+        if (parameters.stop_at_time > 0.)
+          {
+            const double in_time = parameters.spectrum.cycles_in(
+              parameters.operating_share * parameters.stop_at_time);
+            parameters.ends_by_time =
+              std::isfinite(n_cycles) && in_time < n_cycles;
+            n_cycles = std::min(n_cycles, in_time);
+          }
+        n_cycles = std::round(n_cycles);
+        AssertThrow(
+          n_cycles >= 1. && n_cycles <= max_n_cycles,
+          ExcParameter(parameters.stop_at_time > 0. ? "Stop at time" :
+                                                      "Load cases",
+                       "this makes " + significant_digits(n_cycles, 6) +
+                         " cycles; there may be 1 to " +
+                         std::to_string(max_n_cycles)));
+        parameters.cycles = static_cast<unsigned int>(n_cycles);
+        check_cycles_per_step(parameters);
+      }
+
+
+
+      // Of what all load cases have in common, and then what each repeats.
+      std::string
+      print_with_load_cases(const ParameterFile            &file,
+                            const std::vector<std::string> &names)
+      {
+        const ParameterFile common = file_of_all_load_cases(file, names);
+        CaseParameters      parameters;
+        std::vector<NameList>    lists = read_name_lists(common);
+        dealii::ParameterHandler prm;
+        declare(prm, parameters, lists);
+        common.apply(prm, lists_of_kinds(lists));
+        return print_to_run_again(common, parameters, prm) +
+               print_repeated(file, names);
       }
     } // namespace
 
@@ -637,46 +830,38 @@ namespace Tribody
     read_case(const std::string              &file_name,
               const std::vector<std::string> &overrides)
     {
-      const ParameterFile file(file_name, overrides);
-      CaseParameters      parameters;
-      {
-        std::vector<NameList>    lists = read_name_lists(file);
-        dealii::ParameterHandler prm;
-        declare(prm, parameters, lists);
-        file.apply(prm, lists_of_kinds(lists));
-        parameters.text = print_to_run_again(file, parameters, prm);
-      }
+      const ParameterFile            file(file_name, overrides);
+      const std::vector<std::string> names = names_of_kind(
+        read_name_lists(file), "Load case");
+      const std::string text = print_with_load_cases(file, names);
 
-      if (parameters.output_directory.empty())
-        parameters.output_directory = (std::filesystem::path("output") /
-                                       std::filesystem::path(file_name).stem())
-                                        .string();
-
+      // What they have in common is taken from the first.
+      CaseParameters parameters;
+      if (names.empty())
+        parameters = read_load_case(file, file_name, "");
+      for (std::size_t i = 0; i < names.size(); ++i)
+        {
+          const CaseParameters of_case = read_load_case(
+            file_of_load_case(file, names, names[i]), file_name, names[i]);
+          if (i == 0)
+            parameters = of_case;
+          parameters.load_cases[i] = of_case.load_cases[i];
+        }
       try
         {
-          check_file_names("Bodies", parameters.mechanism.bodies);
-          check_file_names("Drivers", parameters.mechanism.drivers);
-          check_file_names("Joints",
-                           parameters.mechanism.joints,
-                           {"bodies", "drivers", "mechanism"});
-          check_bushing_joints(parameters);
-          apply_scheme(parameters);
-          check_required(file, parameters);
-          resolve_materials(parameters);
-          resolve_mesh_files(file, parameters);
-          check(parameters);
+          set_spectrum(file, parameters);
         }
       catch (const ExcParameter &exception)
         {
           throw ExcInput(file.location(exception.path) + ": " + exception.path +
                          ": " + exception.problem);
         }
-      // Nothing has been run: what cannot be evaluated here is part of the
-      // input.
-      catch (const ExcRun &exception)
-        {
-          throw ExcInput(file_name + ": " + message_of(exception));
-        }
+
+      parameters.text = text;
+      if (parameters.output_directory.empty())
+        parameters.output_directory = (std::filesystem::path("output") /
+                                       std::filesystem::path(file_name).stem())
+                                        .string();
       return parameters;
     }
 

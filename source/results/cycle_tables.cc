@@ -304,10 +304,12 @@ namespace Tribody
     write_cycle_tables(const Output::OutputDirectory        &directory,
                        const Multibody::MechanismParameters &mechanism,
                        const Multibody::DutyCycle           &cycle,
+                       const std::string                    &load_case,
                        const unsigned int                    number)
     {
-      const auto numbered = [number](const std::string &stem) {
-        return Output::numbered_name(stem, number, "csv");
+      const std::string suffix   = load_case.empty() ? "" : "_" + load_case;
+      const auto        numbered = [&](const std::string &stem) {
+        return Output::numbered_name(stem + suffix, number, "csv");
       };
       for (const Multibody::JointDutyCycle &joint : cycle.joints)
         {

@@ -338,23 +338,97 @@ namespace Tribody
 
 
 
+      // One after the other.
+      void
+      print_motions(std::ostream               &out,
+                    const CaseParameters       &parameters,
+                    const RunResults           &results,
+                    const std::vector<Warning> &warnings)
+      {
+        const auto &cycles = results.state.duty_cycles;
+        for (std::size_t i = 0; i < cycles.size(); ++i)
+          {
+            if (const LoadCase &load_case = parameters.load_cases[i];
+                !load_case.name.empty())
+              out << load_case.subsection() << std::endl;
+            print_dynamics(out, parameters, cycles[i], warnings);
+          }
+      }
+
+
+
+      // In a load case, which has a line of its own if it has a name.
+      void
+      print_load(std::ostream                    &out,
+                 const std::string               &load_case,
+                 const Multibody::JointDutyCycle &joint)
+      {
+        if (!load_case.empty())
+          out << "    load case " << load_case << ":";
+        out << " force in the cycle, largest " << std::setprecision(5)
+            << joint.peak_force() << " N, mean " << joint.mean_force() << " N";
+        if (joint.has_gap && joint.sliding_distance() > 0.)
+          out << "; sliding " << joint.sliding_distance() * 1e3
+              << " mm per cycle";
+        out << std::endl;
+      }
+
+
+
+      // How long it lasted, and of which load cases.
+      void
+      print_duty(std::ostream         &out,
+                 const CaseParameters &parameters,
+                 const RunState       &state)
+      {
+        if (parameters.load_cases.front().name.empty() &&
+            parameters.stop_at_time == 0.)
+          return;
+        constexpr double hour = 3600.;
+        out << "  " << significant_digits(state.operating_time / hour, 5)
+            << " h of operation";
+        if (parameters.operating_share < 1.)
+          out << " in "
+              << significant_digits(state.operating_time / hour /
+                                      parameters.operating_share,
+                                    5)
+              << " h";
+        if (parameters.spectrum.has_blocks)
+          out << ", "
+              << significant_digits(state.cycles /
+                                      parameters.spectrum.n_cycles(),
+                                    5)
+              << " blocks";
+        for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+          if (const std::string &name = parameters.load_cases[i].name;
+              !name.empty())
+            out << (i == 0 ? ": " : ", ")
+                << significant_digits(state.cycles_of_cases[i], 7)
+                << " cycles of " << name;
+        out << std::endl;
+      }
+
+
+
       void
       print_joints(std::ostream               &out,
                    const CaseParameters       &parameters,
                    const RunResults           &results,
                    const std::vector<Warning> &warnings)
       {
-        const Multibody::DutyCycle &cycle = results.state.duty_cycle;
-        for (std::size_t j = 0; j < cycle.joints.size(); ++j)
+        const auto &cycles = results.state.duty_cycles;
+        for (std::size_t j = 0;
+             !cycles.empty() && j < cycles.front().joints.size();
+             ++j)
           {
-            const Multibody::JointDutyCycle &joint = cycle.joints[j];
-            out << "  " << joint.name << ": force in the cycle, largest "
-                << std::setprecision(5) << joint.peak_force() << " N, mean "
-                << joint.mean_force() << " N";
-            if (joint.has_gap && joint.sliding_distance() > 0.)
-              out << "; sliding " << joint.sliding_distance() * 1e3
-                  << " mm per cycle";
-            out << std::endl;
+            const Multibody::JointDutyCycle &joint = cycles.front().joints[j];
+            out << "  " << joint.name << ":";
+            if (cycles.size() > 1)
+              out << std::endl;
+            for (std::size_t i = 0; i < cycles.size(); ++i)
+              print_load(out,
+                         parameters.load_cases[i].name,
+                         cycles[i].joints[j]);
             if (const BushingResults *bushing = results.bushing(joint.name))
               print_bushing(out,
                             parameters.bushings[bushing->number],
@@ -443,9 +517,12 @@ namespace Tribody
           << std::endl;
       const std::vector<Warning> warnings = find_warnings(parameters, results);
       if (is_dynamics_only)
-        print_dynamics(out, parameters, results.state.duty_cycle, warnings);
+        print_motions(out, parameters, results, warnings);
       else
-        print_joints(out, parameters, results, warnings);
+        {
+          print_duty(out, parameters, results.state);
+          print_joints(out, parameters, results, warnings);
+        }
       print_warnings(out, warnings, "");
       print_motion_and_costs(out, is_dynamics_only, results);
 

@@ -36,6 +36,43 @@ namespace Tribody
 
 
 
+      // Over the sliding in all load cases [N].
+      double
+      mean_normal_force(const RunState &state, const std::string &joint)
+      {
+        double force = 0., weight = 0.;
+        for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+          if (state.shares[i] > 0.)
+            {
+              const Multibody::JointDutyCycle &cycle =
+                state.duty_cycles[i].joint(joint);
+              const double mean = cycle.mean_normal_force();
+              if (state.shares[i] == 1.)
+                return mean;
+              const double distance =
+                state.shares[i] * cycle.sliding_distance();
+              force += distance * mean;
+              weight += distance;
+            }
+        return weight > 0. ? force / weight : 0.;
+      }
+
+
+
+      // The largest of all load cases that have a share [N].
+      double
+      peak_force(const RunState &state, const std::string &joint)
+      {
+        double largest = 0.;
+        for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+          if (state.shares[i] > 0.)
+            largest =
+              std::max(largest, state.duty_cycles[i].joint(joint).peak_force());
+        return largest;
+      }
+
+
+
       std::string
       clock_time(const double seconds)
       {
@@ -51,13 +88,14 @@ namespace Tribody
 
 
 
-    RunRecorder::RunRecorder(const CaseParameters       &parameters,
-                             const Multibody::Mechanism &mechanism,
-                             Output::OutputDirectory    &directory,
-                             Console                    &console,
-                             const MPI_Comm             &communicator)
+    RunRecorder::RunRecorder(
+      const CaseParameters                            &parameters,
+      const std::vector<const Multibody::Mechanism *> &mechanisms,
+      Output::OutputDirectory                         &directory,
+      Console                                         &console,
+      const MPI_Comm                                  &communicator)
       : parameters(parameters)
-      , mechanism(mechanism)
+      , mechanisms(mechanisms)
       , directory(directory)
       , console(console)
       , communicator(communicator)
@@ -185,11 +223,16 @@ namespace Tribody
     RunRecorder::write_fields(const RunState                   &state,
                               const std::deque<WearingBushing> &bushings)
     {
-      write_cycle_tables(directory,
-                         parameters.mechanism,
-                         state.duty_cycle,
-                         n_outputs);
-      write_mechanism(state.duty_cycle);
+      for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+        {
+          const LoadCase &load_case = parameters.load_cases[i];
+          write_cycle_tables(directory,
+                             load_case.mechanism,
+                             state.duty_cycles[i],
+                             load_case.name,
+                             n_outputs);
+          write_mechanism(i, state.duty_cycles[i]);
+        }
       for (std::size_t j = 0; j < bushings.size(); ++j)
         {
           write_bushing(state, bushings[j], state.joints[j].contact);
@@ -205,7 +248,9 @@ namespace Tribody
     void
     RunRecorder::open_history(const std::string &file_name)
     {
-      std::vector<std::string> columns = {"cycles [-]", "wear_step [-]"};
+      std::vector<std::string> columns = {"cycles [-]",
+                                          "wear_step [-]",
+                                          "operating_time [s]"};
       for (const BushingParameters &bushing : parameters.bushings)
         for (const char *column : {"max_wear_depth [m]",
                                    "worn_volume [m^3]",
@@ -214,17 +259,18 @@ namespace Tribody
                                    "max_pressure [Pa]",
                                    "clearance [m]",
                                    "pin_max_wear_depth [m]",
-                                   "pin_worn_volume [m^3]"})
+                                   "pin_worn_volume [m^3]",
+                                   "sliding_distance [m]"})
           columns.push_back(bushing.name + " " + column);
       history = std::make_unique<TableWriter>(
         file_name,
         std::vector<std::string>(
           {"A row per wear step. Depth: largest of the bore. Volume: measured "
            "on the worn mesh. Forces: largest total and mean normal force of "
-           "the cycle.",
+           "the cycle, with load cases of all together.",
            "Pressure: largest of the cycle. Clearance: largest, bore radius "
            "minus pin radius plus depths. Pin: what wear has taken from its "
-           "radius and from its volume."}),
+           "radius and from its volume. Sliding: since the first cycle."}),
         columns,
         TableKind::growing);
     }
@@ -243,23 +289,23 @@ namespace Tribody
         open_history(file_name);
 
       std::vector<double> row = {state.cycles,
-                                 static_cast<double>(state.counts.wear_steps)};
+                                 static_cast<double>(state.counts.wear_steps),
+                                 state.operating_time};
       for (std::size_t j = 0; j < bushings.size(); ++j)
         {
-          const WearingBushing            &bushing = bushings[j];
-          const Multibody::JointDutyCycle &cycle =
-            state.duty_cycle.joint(bushing.name());
+          const WearingBushing &bushing = bushings[j];
           row.insert(row.end(),
                      {bushing.profile().max_depth(),
                       bushing.worn_volume(),
-                      cycle.peak_force(),
-                      cycle.mean_normal_force(),
+                      peak_force(state, bushing.name()),
+                      mean_normal_force(state, bushing.name()),
                       state.joints[j].contact.max_pressure,
                       bushing.largest_clearance(bushing.depth()),
                       bushing.wearing_pin() != nullptr
                         ? bushing.wearing_pin()->profile().max_depth()
                         : 0.,
-                      bushing.pin_worn_volume()});
+                      bushing.pin_worn_volume(),
+                      state.joints[j].totals.sliding_distance});
         }
       history->write_row(row);
     }
@@ -267,24 +313,27 @@ namespace Tribody
 
 
     void
-    RunRecorder::write_mechanism(const Multibody::DutyCycle &cycle) const
+    RunRecorder::write_mechanism(const std::size_t           load_case,
+                                 const Multibody::DutyCycle &cycle) const
     {
       // More would only make the film slower.
       constexpr Eigen::Index max_frames = 180;
 
-      const MechanismPicture picture(mechanism, cycle);
+      const std::string &name = parameters.load_cases[load_case].name;
+      const std::string  stem = name.empty() ? "mechanism" : "mechanism_" + name;
+      const MechanismPicture picture(*mechanisms[load_case], cycle);
       const Eigen::Index     n      = cycle.time.size();
       const Eigen::Index     stride = (n + max_frames - 1) / max_frames;
       std::vector<std::pair<double, std::string>> frames;
       for (Eigen::Index s = 0; s < n; s += stride)
         {
-          const std::string name =
-            Output::numbered_name("mechanism", frames.size(), "vtu");
-          Output::write_mechanism_vtu(directory.joint_file("mechanism", name),
+          const std::string frame =
+            Output::numbered_name(stem, frames.size(), "vtu");
+          Output::write_mechanism_vtu(directory.joint_file("mechanism", frame),
                                       picture.draw(s));
-          frames.emplace_back(cycle.time[s], "mechanism/" + name);
+          frames.emplace_back(cycle.time[s], "mechanism/" + frame);
         }
-      Output::write_pvd(directory.file("mechanism.pvd"), frames);
+      Output::write_pvd(directory.file(stem + ".pvd"), frames);
 
       write_whole_file(directory.joint_file("mechanism", "legend.txt"),
                        [&](std::ostream &file) { file << picture.legend(); });

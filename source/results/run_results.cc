@@ -105,11 +105,11 @@ namespace Tribody
 
 
       BushingResults
-      compute_bushing_results(const WearingBushing            &bushing,
-                              const std::size_t                number,
-                              const RunState                  &state,
-                              const Multibody::JointDutyCycle &cycle)
+      compute_bushing_results(const WearingBushing &bushing,
+                              const std::size_t     number,
+                              const WearProcess    &process)
       {
+        const RunState                   &state    = process.state();
         const JointState                 &joint    = state.joints[number];
         const std::vector<WearingSurface> surfaces = bushing.surfaces();
         const double radius      = bushing.joint_parameters().bushing_radius;
@@ -132,7 +132,12 @@ namespace Tribody
                                         joint.totals,
                                         joint.totals.surfaces[1],
                                         bore_volume);
-        results.crescent  = compute_crescent(bushing, cycle, joint.totals);
+        // It knows one load case.
+        if (process.wear_factors() == std::vector<double>{1.})
+          results.crescent = compute_crescent(
+            bushing,
+            state.duty_cycles.front().joint(bushing.name()),
+            joint.totals);
         results.clearance = bushing.largest_clearance(joint.depth);
         results.mesh_oscillation =
           Wear::mesh_oscillation(surfaces[0].part_of(joint.contact.wear_rate));
@@ -247,7 +252,8 @@ namespace Tribody
     {
       constexpr double largest_volume_error = 0.01, largest_energy_error = 0.1;
 
-      check_motion(results.state.duty_cycle);
+      for (const Multibody::DutyCycle &cycle : results.state.duty_cycles)
+        check_motion(cycle);
       for (const BushingResults &bushing : results.bushings)
         {
           AssertThrow(results.state.joints[bushing.number].depth.allFinite(),
@@ -266,15 +272,16 @@ namespace Tribody
                              " %. Shorter wear steps or a finer mesh may "
                              "help"));
         }
-      const Multibody::EnergyHistory &energy = results.state.duty_cycle.energy;
-      AssertThrow(
-        !energy.cycle.has_work || energy.relative_error <= largest_energy_error,
-        ExcRun("The energies of the recorded cycle miss their balance "
-               "by " +
-               significant_digits(100. * energy.relative_error, 3) +
-               " % of the largest of them: the motion is not right. "
-               "Look for drivers or forces that jump, and for a "
-               "smaller 'Dynamics/Accuracy'"));
+      for (const Multibody::DutyCycle &cycle : results.state.duty_cycles)
+        AssertThrow(
+          !cycle.energy.cycle.has_work ||
+            cycle.energy.relative_error <= largest_energy_error,
+          ExcRun("The energies of the recorded cycle miss their balance "
+                 "by " +
+                 significant_digits(100. * cycle.energy.relative_error, 3) +
+                 " % of the largest of them: the motion is not right. "
+                 "Look for drivers or forces that jump, and for a "
+                 "smaller 'Dynamics/Accuracy'"));
     }
 
 
@@ -289,11 +296,8 @@ namespace Tribody
           const WearingBushing &bushing = process.bushings()[j];
           const JointState     &joint   = process.state().joints[j];
           if (!joint.contact.samples.empty())
-            results.bushings.push_back(compute_bushing_results(
-              bushing,
-              j,
-              process.state(),
-              process.state().duty_cycle.joint(bushing.name())));
+            results.bushings.push_back(
+              compute_bushing_results(bushing, j, process));
         }
       return results;
     }

@@ -157,39 +157,47 @@ namespace Tribody
 
 
 
+      // What a joint has come to by its wear.
       Json
-      joint_to_json(const CaseParameters &parameters,
-                    const RunResults     &results,
-                    const std::size_t     j)
+      wear_to_json(const CaseParameters &parameters,
+                   const RunResults     &results,
+                   const BushingResults &bushing)
       {
-        const RunState                  &state   = results.state;
-        const Multibody::DutyCycle      &cycles  = state.duty_cycle;
+        const RunState          &state = results.state;
+        const BushingParameters &of_bushing =
+          parameters.bushings[bushing.number];
+        const CycleContact &contact = state.joints[bushing.number].contact;
+        const Strains &strains = state.joints[bushing.number].totals.strains;
+
+        Json json;
+        json["bushing"] = bushing_to_json(bushing, of_bushing, state.stepper);
+        json["pin"]     = pin_to_json(bushing.pin);
+        json["pressure_model"]  = name_of(of_bushing.pressure_model);
+        json["max_pressure_Pa"] = contact.max_pressure;
+        json["contact_half_angle_deg"] =
+          Units::degrees(contact.at_peak_force().half_angle);
+        json["volume_balance_relative_error"] =
+          bushing.bushing.volume_balance_relative_error;
+        json["depth_error"] = depth_errors_to_json(bushing);
+        json["validity"] = {{"pressure_over_modulus", strains.pressure},
+                            {"penetration_over_wall", strains.displacement},
+                            {"message", describe(strains)}};
+        return json;
+      }
+
+
+
+      // What a joint does in the duty cycle of a load case.
+      void
+      add_duty_to_json(Json                       &json,
+                       const CaseParameters       &parameters,
+                       const RunResults           &results,
+                       const Multibody::DutyCycle &cycles,
+                       const std::size_t           j)
+      {
         const Multibody::JointDutyCycle &cycle   = cycles.joints[j];
         const BushingResults            *bushing = results.bushing(cycle.name);
-
-        Json json = Json::object();
-        if (bushing != nullptr)
-          {
-            const BushingParameters &of_bushing =
-              parameters.bushings[bushing->number];
-            const CycleContact &contact = state.joints[bushing->number].contact;
-            json["bushing"] =
-              bushing_to_json(*bushing, of_bushing, state.stepper);
-            json["pin"]             = pin_to_json(bushing->pin);
-            json["pressure_model"]  = name_of(of_bushing.pressure_model);
-            json["max_pressure_Pa"] = contact.max_pressure;
-            json["contact_half_angle_deg"] =
-              Units::degrees(contact.at_peak_force().half_angle);
-            json["volume_balance_relative_error"] =
-              bushing->bushing.volume_balance_relative_error;
-            json["depth_error"] = depth_errors_to_json(*bushing);
-            const Strains &strains =
-              state.joints[bushing->number].totals.strains;
-            json["validity"] = {{"pressure_over_modulus", strains.pressure},
-                                {"penetration_over_wall", strains.displacement},
-                                {"message", describe(strains)}};
-          }
-        json["peak_force_N"]         = cycle.peak_force();
+        json["peak_force_N"]                     = cycle.peak_force();
         json["peak_force_phase_deg"] = cycles.phase[cycle.peak_sample()];
         json["mean_force_N"]         = cycle.mean_force();
         json["residual_ringing"]     = cycle.residual_ringing;
@@ -201,28 +209,52 @@ namespace Tribody
             json["peak_force_deviation_N"] = cycle.peak_force_deviation;
             json["mean_force_deviation_N"] = cycle.mean_force_deviation;
           }
-        if (cycle.has_gap)
+        if (!cycle.has_gap)
+          return;
+        const Multibody::JointParameters &joint = parameters.joint(cycle.name);
+        add_clearance_to_json(json,
+                              cycle,
+                              bushing != nullptr ? bushing->clearance :
+                                                   joint.clearance(),
+                              results.state.dynamics.contact_losses[j]);
+        if (cycle.has_contact_law)
+          json["contact_law"] = contact_law_to_json(joint);
+        if (cycle.creep_distance > 0.)
+          json["creep_per_cycle_m"] = cycle.creep_distance;
+        if (cycles.energy.cycle.has_work && cycle.has_contact_law)
           {
-            const Multibody::JointParameters &joint =
-              parameters.joint(cycle.name);
-            add_clearance_to_json(json,
-                                  cycle,
-                                  bushing != nullptr ? bushing->clearance
-                                                     : joint.clearance(),
-                                  state.dynamics.contact_losses[j]);
-            if (cycle.has_contact_law)
-              json["contact_law"] = contact_law_to_json(joint);
-            if (cycle.creep_distance > 0.)
-              json["creep_per_cycle_m"] = cycle.creep_distance;
-            if (cycles.energy.cycle.has_work && cycle.has_contact_law)
-              {
-                const Eigen::Index law = cycles.contact_law_number(j);
-                json["normal_loss_J"]  = cycles.energy.cycle.normal_loss[law];
-                json["friction_loss_J"] =
-                  cycles.energy.cycle.friction_loss[law];
-              }
+            const Eigen::Index law = cycles.contact_law_number(j);
+            json["normal_loss_J"]  = cycles.energy.cycle.normal_loss[law];
+            json["friction_loss_J"] = cycles.energy.cycle.friction_loss[law];
           }
-        return json;
+      }
+
+
+
+      // Wear, and, where there is one load case, what the joint does in it.
+      Json
+      joints_to_json(const CaseParameters &parameters,
+                     const RunResults     &results)
+      {
+        Json        joints = Json::object();
+        const auto &cycles = results.state.duty_cycles;
+        for (std::size_t j = 0;
+             !cycles.empty() && j < cycles.front().joints.size();
+             ++j)
+          {
+            const std::string &name = cycles.front().joints[j].name;
+            const BushingResults *bushing = results.bushing(name);
+            Json json = bushing != nullptr ?
+                          wear_to_json(parameters, results, *bushing) :
+                          Json::object();
+            if (bushing != nullptr)
+              json["sliding_distance_m"] =
+                results.state.joints[bushing->number].totals.sliding_distance;
+            if (cycles.size() == 1)
+              add_duty_to_json(json, parameters, results, cycles.front(), j);
+            joints[name] = json;
+          }
+        return joints;
       }
 
 
@@ -268,9 +300,9 @@ namespace Tribody
 
 
       Json
-      dynamics_to_json(const RunState &state)
+      dynamics_to_json(const RunState             &state,
+                       const Multibody::DutyCycle &cycle)
       {
-        const Multibody::DutyCycle           &cycle      = state.duty_cycle;
         const Multibody::SettlingReport      &settling   = cycle.settling;
         const Sundials::IntegratorStatistics &statistics = cycle.statistics;
 
@@ -301,6 +333,39 @@ namespace Tribody
               cycle.energy.relative_error_since_start;
           }
         return json;
+      }
+
+
+
+      // Time and load cases; a case without them has one without a name.
+      void
+      add_load_cases_to_json(Json                 &json,
+                       const CaseParameters &parameters,
+                       const RunResults     &results)
+      {
+        const RunState &state        = results.state;
+        json["operating_time_s"]     = state.operating_time;
+        json["time_with_standstill_s"] =
+          state.operating_time / parameters.operating_share;
+        if (parameters.load_cases.size() < 2)
+          return;
+        if (parameters.spectrum.has_blocks)
+          json["blocks"] = state.cycles / parameters.spectrum.n_cycles();
+        for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+          {
+            const Multibody::DutyCycle &cycle = state.duty_cycles[i];
+            Json of_case = {{"cycles", state.cycles_of_cases[i]},
+                            {"period_s", cycle.period},
+                            {"joints", Json::object()},
+                            {"dynamics", dynamics_to_json(state, cycle)}};
+            for (std::size_t j = 0; j < cycle.joints.size(); ++j)
+              {
+                Json joint = Json::object();
+                add_duty_to_json(joint, parameters, results, cycle, j);
+                of_case["joints"][cycle.joints[j].name] = joint;
+              }
+            json["load_cases"][parameters.load_cases[i].name] = of_case;
+          }
       }
     } // namespace
 
@@ -333,17 +398,19 @@ namespace Tribody
                      {"dynamics_cycles", state.counts.dynamics_cycles},
                      {"contact_solves", state.counts.contact_solves},
                      {"compliance_builds", state.counts.compliance_builds}}},
-                   {"joints", Json::object()},
-                   {"dynamics", dynamics_to_json(state)},
+                   {"joints", joints_to_json(parameters, results)},
+                   {"dynamics",
+                    dynamics_to_json(state,
+                                     state.duty_cycles.empty()
+                                       ? Multibody::DutyCycle()
+                                       : state.duty_cycles.front())},
                    {"error_estimate",
                     {{"max_wear_depth_relative",
                       results.depth_relative_error()},
                      {"worn_volume_relative", results.volume_relative_error()},
                      {"covers", covered_errors(results)},
                      {"mesh", mesh_errors_to_json(results)}}}};
-      for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
-        json["joints"][state.duty_cycle.joints[j].name] =
-          joint_to_json(parameters, results, j);
+      add_load_cases_to_json(json, parameters, results);
 
       // Text from the parameter file may be in any encoding.
       const std::string text =

@@ -104,13 +104,15 @@ namespace Tribody
       // Joints that creep instead of being held.
       void
       warn_of_creep(const Multibody::JointDutyCycle &joint,
+                    const std::string               &load_case,
                     std::vector<Warning>            &warnings)
       {
         if (joint.creep_distance > 0.)
           warnings.push_back(
             {"held_by_friction",
              joint.name,
-             "friction holds this joint: all of its " +
+             (load_case.empty() ? "" : "in load case " + load_case + " ") +
+               "friction holds this joint: all of its " +
                significant_digits(1e3 * joint.creep_distance, 2) + " mm" +
                " per cycle is creep of the friction law, which is smooth at "
                "rest, and does not count as sliding; nothing wears. If it does "
@@ -126,7 +128,6 @@ namespace Tribody
                      const RunState       &state,
                      std::vector<Warning> &warnings)
       {
-        const Multibody::EnergyHistory &energy = state.duty_cycle.energy;
         if (!state.dynamics.all_settled)
           warnings.push_back(
             {"not_settled",
@@ -138,15 +139,16 @@ namespace Tribody
                state.dynamics.unsettled_message +
                ". Forces may be wrong by as much; raise 'Dynamics/Maximum "
                "settling cycles' if the motion is to repeat"});
-        if (energy.cycle.has_work &&
-            energy.relative_error > largest_energy_error)
-          warnings.push_back(
-            {"energy",
-             "",
-             "the energies of the recorded cycle miss their balance by " +
-               percent(energy.relative_error) +
-               " of the largest, and forces may be wrong by as much: choose a "
-               "smaller 'Dynamics/Accuracy'"});
+        for (const Multibody::DutyCycle &cycle : state.duty_cycles)
+          if (cycle.energy.cycle.has_work &&
+              cycle.energy.relative_error > largest_energy_error)
+            warnings.push_back(
+              {"energy",
+               "",
+               "the energies of the recorded cycle miss their balance by " +
+                 percent(cycle.energy.relative_error) +
+                 " of the largest, and forces may be wrong by as much: choose "
+                 "a smaller 'Dynamics/Accuracy'"});
       }
     } // namespace
 
@@ -157,10 +159,16 @@ namespace Tribody
     {
       const RunState      &state = results.state;
       std::vector<Warning> warnings;
-      for (const Multibody::JointDutyCycle &joint : state.duty_cycle.joints)
+      for (std::size_t j = 0; !state.duty_cycles.empty() &&
+                              j < state.duty_cycles.front().joints.size();
+           ++j)
         {
-          warn_of_creep(joint, warnings);
-          if (const BushingResults *bushing = results.bushing(joint.name))
+          for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+            warn_of_creep(state.duty_cycles[i].joints[j],
+                          parameters.load_cases[i].name,
+                          warnings);
+          if (const BushingResults *bushing =
+                results.bushing(state.duty_cycles.front().joints[j].name))
             warn_of_bushing(parameters, *bushing, results, warnings);
         }
       warn_of_motion(parameters, state, warnings);

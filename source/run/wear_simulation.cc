@@ -14,6 +14,7 @@
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
+#include <tribody/base/units.h>
 #include <tribody/run/wear_simulation.h>
 
 #include <algorithm>
@@ -34,9 +35,10 @@ namespace Tribody
       // What 'Energy balance = without wear', 'Joint motion = automatic',
       // 'Accuracy' and 'Sampling tolerance' mean here.
       Multibody::DynamicsParameters
-      make_dynamics_parameters(const CaseParameters &parameters)
+      make_dynamics_parameters(const CaseParameters &parameters,
+                               const LoadCase       &load_case)
       {
-        Multibody::DynamicsParameters dynamics = parameters.dynamics;
+        Multibody::DynamicsParameters dynamics = load_case.dynamics;
         if (dynamics.energy_balance == Multibody::EnergyBalance::without_wear)
           dynamics.energy_balance = parameters.cycles == 0
                                       ? Multibody::EnergyBalance::always
@@ -99,12 +101,103 @@ namespace Tribody
 
 
 
+      // Where there are several, messages name the load case.
+      void
+      in_load_case(const LoadCase              &load_case,
+                   const std::function<void()> &action)
+      {
+        try
+          {
+            action();
+          }
+        catch (const ExcRun &exception)
+          {
+            if (load_case.name.empty())
+              throw;
+            throw ExcRun(load_case.subsection() + ": " + message_of(exception));
+          }
+      }
+
+
+
+      void
+      name_load_case(const LoadCase &load_case, Multibody::DutyCycle &cycle)
+      {
+        std::string &message = cycle.settling.message;
+        if (!load_case.name.empty() && !message.empty())
+          message = "of load case " + load_case.name + " " + message;
+      }
+
+
+
+      void
+      print_load_cases(std::ostream &out, const CaseParameters &parameters)
+      {
+        const Spectrum &spectrum = parameters.spectrum;
+        for (std::size_t i = 0; i < spectrum.n_cases(); ++i)
+          if (const LoadCase &load_case = parameters.load_cases[i];
+              !load_case.name.empty())
+            out << load_case.subsection() << ": "
+                << significant_digits(100. * spectrum.cycles[i] /
+                                        spectrum.n_cycles(),
+                                      3)
+                << " % of the cycles, " << significant_digits(load_case.period, 4)
+                << " s each" << std::endl;
+      }
+
+
+
+      std::deque<OperatingCase>
+      make_operating_cases(const CaseParameters &parameters)
+      {
+        std::deque<OperatingCase> cases;
+        for (const LoadCase &load_case : parameters.load_cases)
+          cases.emplace_back(load_case,
+                             make_dynamics_parameters(parameters, load_case));
+        return cases;
+      }
+
+
+
+      std::vector<double>
+      wear_factors(const CaseParameters &parameters)
+      {
+        std::vector<double> factors;
+        for (const LoadCase &load_case : parameters.load_cases)
+          factors.push_back(load_case.wear_factor);
+        return factors;
+      }
+
+
+
+      // A duty cycle of each load case, of unworn joints.
+      std::vector<Multibody::DutyCycle>
+      run_unworn(const CaseParameters            &parameters,
+                 const std::deque<OperatingCase> &cases,
+                 const MPI_Comm                  &communicator)
+      {
+        std::vector<Multibody::DutyCycle> cycles(cases.size());
+        Ranks::run_together(communicator, [&]() {
+          for (std::size_t i = 0; i < cases.size(); ++i)
+            in_load_case(parameters.load_cases[i], [&]() {
+              cycles[i] =
+                cases[i].dynamics.run(make_unworn_clearances(parameters),
+                                      make_unworn_supports(parameters));
+            });
+        });
+        for (Multibody::DutyCycle &cycle : cycles)
+          take_forces_of_first_rank(cycle, communicator);
+        return cycles;
+      }
+
+
+
       // Unworn. If a mesh is to be as fine as the contact wants it, a cycle of
       // the dynamics says how large that is.
       std::deque<WearingBushing>
-      make_bushings(const CaseParameters             &parameters,
-                    const Multibody::CycleSimulation &dynamics,
-                    const MPI_Comm                   &communicator)
+      make_bushings(const CaseParameters            &parameters,
+                    const std::deque<OperatingCase> &cases,
+                    const MPI_Comm                  &communicator)
       {
         std::deque<WearingBushing> bushings;
         if (parameters.cycles == 0)
@@ -115,25 +208,25 @@ namespace Tribody
                       [](const BushingParameters &bushing) {
                         return bushing.mesh.n_contact_nodes > 0;
                       });
-        Multibody::DutyCycle first_cycle;
+        std::vector<Multibody::DutyCycle> first_cycles;
         if (needs_forces)
-          {
-            Ranks::run_together(communicator, [&]() {
-              first_cycle = dynamics.run(make_unworn_clearances(parameters),
-                                         make_unworn_supports(parameters));
-            });
-            take_forces_of_first_rank(first_cycle, communicator);
-          }
+          first_cycles = run_unworn(parameters, cases, communicator);
         for (const BushingParameters &bushing : parameters.bushings)
           {
             const Multibody::JointParameters &joint =
               parameters.joint(bushing.name);
-            const BushingParameters resolved =
-              needs_forces
-                ? resolve_contact_arc(bushing,
+            BushingParameters resolved = bushing;
+            for (const Multibody::DutyCycle &cycle : first_cycles)
+              {
+                // As fine as the load case with the narrowest contact wants it.
+                const BushingParameters for_case =
+                  resolve_contact_arc(bushing,
                                       joint,
-                                      first_cycle.joint(bushing.name))
-                : bushing;
+                                      cycle.joint(bushing.name));
+                if (&cycle == &first_cycles.front() ||
+                    for_case.mesh.n_bore_cells > resolved.mesh.n_bore_cells)
+                  resolved = for_case;
+              }
             try
               {
                 bushings.emplace_back(resolved,
@@ -156,6 +249,14 @@ namespace Tribody
 
 
 
+    OperatingCase::OperatingCase(const LoadCase &load_case,
+                                 const Multibody::DynamicsParameters &dynamics)
+      : mechanism(Multibody::count_redundant_constraints(load_case.mechanism))
+      , dynamics(mechanism, dynamics)
+    {}
+
+
+
     WearSimulation::WearSimulation(const CaseParameters &parameters,
                                    Console              &console,
                                    const MPI_Comm       &communicator)
@@ -165,10 +266,10 @@ namespace Tribody
       , timer(console.out(),
               dealii::TimerOutput::never,
               dealii::TimerOutput::wall_times)
-      , mechanism(Multibody::count_redundant_constraints(parameters.mechanism))
-      , dynamics(mechanism, make_dynamics_parameters(parameters))
+      , cases(make_operating_cases(parameters))
       , process(parameters.wear,
-                make_bushings(parameters, dynamics, communicator))
+                make_bushings(parameters, cases, communicator),
+                wear_factors(parameters))
     {}
 
 
@@ -184,10 +285,11 @@ namespace Tribody
       out << "Mechanism: ";
       count(parameters.mechanism.bodies.size(), "body, ", "bodies, ");
       count(parameters.mechanism.joints.size(), "joint, ", "joints, ");
-      count(mechanism.n_degrees_of_freedom(),
+      count(cases.front().mechanism.n_degrees_of_freedom(),
             "degree of freedom",
             "degrees of freedom");
       out << std::endl;
+      print_load_cases(out, parameters);
       for (const WearingBushing &bushing : process.bushings())
         out << "Bushing " << bushing.name() << ": "
             << bushing.node_angles().size() << " bore nodes, clearance "
@@ -231,12 +333,19 @@ namespace Tribody
     bool
     WearSimulation::needs_more_samples() const
     {
-      for (std::size_t j = 0; j < state().joints.size(); ++j)
-        if (state()
-              .duty_cycle.joint(process.bushings()[j].name())
-              .sampling_error(reach_of(state().joints[j].contact)) >
-            parameters.dynamics.sampling_tolerance)
-          return parameters.dynamics.sampling_tolerance > 0.;
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        {
+          const double tolerance =
+            parameters.load_cases[i].dynamics.sampling_tolerance;
+          for (std::size_t j = 0; j < state().joints.size(); ++j)
+            if (tolerance > 0. &&
+                state()
+                    .duty_cycles[i]
+                    .joint(process.bushings()[j].name())
+                    .sampling_error(reach_of(state().joints[j].contact)) >
+                  tolerance)
+              return true;
+        }
       return false;
     }
 
@@ -256,7 +365,8 @@ namespace Tribody
       double kept_since = state().cycles;
       {
         dealii::TimerOutput::Scope scope(timer, "wear step");
-        process.take_step(end);
+        process.take_step(
+          std::min(end, parameters.spectrum.next_change(state().cycles)));
         warn_of_unstable_step();
       }
       if (coarse_run != nullptr)
@@ -266,8 +376,17 @@ namespace Tribody
           kept_since = state().cycles_at_dynamics;
           run_dynamics();
         }
-      dealii::TimerOutput::Scope scope(timer, "contact");
-      process.complete_step(kept_since);
+      {
+        dealii::TimerOutput::Scope scope(timer, "contact");
+        process.complete_step(kept_since);
+      }
+      if (!is_over() &&
+          parameters.spectrum.shares(state().cycles) != state().shares)
+        {
+          // The next load case has another motion.
+          run_dynamics();
+          solve_contacts();
+        }
     }
 
 
@@ -289,7 +408,7 @@ namespace Tribody
     std::unique_ptr<CoarseRun>
     WearSimulation::make_coarse_run() const
     {
-      return std::make_unique<CoarseRun>(parameters.wear, process.bushings());
+      return std::make_unique<CoarseRun>(parameters.wear, process);
     }
 
 
@@ -302,6 +421,12 @@ namespace Tribody
         results.status = state().stopped_by.empty() ? RunStatus::completed
                                                     : RunStatus::stopped;
       results.message = state().stopped_by;
+      if (is_over() && parameters.ends_by_time && results.message.empty())
+        {
+          results.status = RunStatus::stopped;
+          results.message =
+            "time " + Units::to_string(parameters.stop_at_time, "s", "h");
+        }
       return results;
     }
 
@@ -318,8 +443,11 @@ namespace Tribody
     RunResults
     WearSimulation::run(Output::OutputDirectory &directory)
     {
+      std::vector<const Multibody::Mechanism *> mechanisms;
+      for (const OperatingCase &operating_case : cases)
+        mechanisms.push_back(&operating_case.mechanism);
       RunRecorder recorder(
-        parameters, mechanism, directory, console, communicator);
+        parameters, mechanisms, directory, console, communicator);
       Ranks::run_together(communicator, [&]() { recorder.start(); });
       RunResults results;
       try
@@ -352,7 +480,7 @@ namespace Tribody
     WearSimulation::run_cycles(RunRecorder &recorder)
     {
       // A state that was restored has its motion and contacts.
-      if (state().duty_cycle.joints.empty())
+      if (state().duty_cycles.empty())
         start();
       recorder.record(state(), process.bushings());
       while (!is_over())
@@ -515,14 +643,25 @@ namespace Tribody
         if (!state().joints[j].contact.samples.empty())
           arcs[process.bushings()[j].name()] =
             reach_of(state().joints[j].contact);
-      Multibody::DutyCycle cycle;
-      Ranks::run_together(communicator, [&]() {
-        cycle = dynamics.run(clearances, supports, arcs, &state().duty_cycle);
-      });
-      take_forces_of_first_rank(cycle, communicator);
+      const Eigen::VectorXd shares = parameters.spectrum.shares(state().cycles);
+      std::vector<Multibody::DutyCycle> cycles = state().duty_cycles;
+      cycles.resize(cases.size());
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        if (shares[i] > 0. || cycles[i].joints.empty())
+          {
+            const Multibody::DutyCycle before = cycles[i];
+            Ranks::run_together(communicator, [&]() {
+              in_load_case(parameters.load_cases[i], [&]() {
+                cycles[i] =
+                  cases[i].dynamics.run(clearances, supports, arcs, &before);
+              });
+            });
+            name_load_case(parameters.load_cases[i], cycles[i]);
+            take_forces_of_first_rank(cycles[i], communicator);
+          }
 
       const std::string told = state().dynamics.settling_message;
-      process.renew_duty_cycle(cycle);
+      process.renew_duty_cycles(cycles, shares);
       const std::string &message = state().dynamics.settling_message;
       if (parameters.cycles > 0 && message != told)
         console.out() << (state().dynamics.all_settled ? "Note: the dynamics "

@@ -40,13 +40,16 @@ namespace Tribody
 
 
 
-    CoarseRun::CoarseRun(const WearParameters             &parameters,
-                         const std::deque<WearingBushing> &bushings)
+    CoarseRun::CoarseRun(const WearParameters &parameters,
+                         const WearProcess    &run)
       : follows_whole_run(parameters.mesh_error_estimate ==
                           MeshErrorEstimate::whole_run)
-      , twin(parameters, make_coarse_bushings(parameters, bushings))
-      , errors(bushings.size())
+      , twin(parameters,
+             make_coarse_bushings(parameters, run.bushings()),
+             run.wear_factors())
+      , errors(run.bushings().size())
     {
+      const std::deque<WearingBushing> &bushings = run.bushings();
       for (const WearingBushing &coarse : twin.bushings())
         for (std::size_t j = 0; j < bushings.size(); ++j)
           if (bushings[j].name() == coarse.name())
@@ -58,7 +61,7 @@ namespace Tribody
     void
     CoarseRun::start(const WearProcess &run)
     {
-      twin.renew_duty_cycle(run.state().duty_cycle);
+      twin.renew_duty_cycles(run.state().duty_cycles, run.state().shares);
       twin.solve_contacts();
       for (std::size_t c = 0; c < bushing_of_run.size(); ++c)
         {
@@ -102,7 +105,7 @@ namespace Tribody
     {
       if (!follows_whole_run || twin.bushings().empty())
         return;
-      twin.renew_duty_cycle(run.state().duty_cycle);
+      twin.renew_duty_cycles(run.state().duty_cycles, run.state().shares);
       twin.solve_contacts();
       while (twin.state().cycles < run.state().cycles &&
              twin.state().stopped_by.empty())

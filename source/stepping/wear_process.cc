@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/base/inverted_mesh.h>
+#include <tribody/stepping/combined_loads.h>
 #include <tribody/stepping/make_jump.h>
 #include <tribody/stepping/wear_process.h>
 
@@ -13,12 +14,15 @@ namespace Tribody
   namespace Coupling
   {
     WearProcess::WearProcess(const WearParameters        &parameters,
-                             std::deque<WearingBushing> &&bushings)
+                             std::deque<WearingBushing> &&bushings,
+                             const std::vector<double>   &wear_factors)
       : dynamics_update(parameters.dynamics_update)
       , joint_bushings(std::move(bushings))
       , stop_conditions(joint_bushings)
       , jump(make_jump(parameters, joint_bushings, stop_conditions))
+      , factors(wear_factors)
     {
+      run_state.cycles_of_cases = Eigen::VectorXd::Zero(factors.size());
       for (const WearingBushing &bushing : joint_bushings)
         {
           JointState joint;
@@ -54,7 +58,7 @@ namespace Tribody
 
 
     void
-    WearProcess::renew_duty_cycle(const Multibody::DutyCycle &cycle)
+    WearProcess::check_duty_cycle(const Multibody::DutyCycle &cycle) const
     {
       for (const WearingBushing &bushing : joint_bushings)
         {
@@ -62,26 +66,62 @@ namespace Tribody
           check_pin_in_bore(bushing, joint, cycle.time);
           check_strains(compute_least_strains(bushing, joint), bushing.name());
         }
+    }
+
+
+
+    void
+    WearProcess::renew_duty_cycles(
+      const std::vector<Multibody::DutyCycle> &cycles,
+      const Eigen::VectorXd                   &shares)
+    {
       // Of the wear in all. Where it is deepest it may change by several times
       // as much, which is part of the estimated error.
       constexpr double merging_tolerance = 2e-4;
-      const bool       was_quasi_static  = run_state.duty_cycle.is_quasi_static;
-      run_state.duty_cycle               = cycle;
-      run_state.cycles_at_dynamics       = run_state.cycles;
+
+      AssertDimension(cycles.size(), factors.size());
+      std::vector<bool> was_quasi_static;
+      for (std::size_t i = 0; i < cycles.size(); ++i)
+        {
+          if (shares[i] > 0.)
+            check_duty_cycle(cycles[i]);
+          was_quasi_static.push_back(
+            i < run_state.duty_cycles.size() &&
+            run_state.duty_cycles[i].is_quasi_static);
+        }
+      // Wear under other load cases has nothing to do with the last step.
+      if (run_state.shares.size() > 0 && run_state.shares != shares)
+        run_state.stepper = StepperState();
+      run_state.duty_cycles        = cycles;
+      run_state.shares             = shares;
+      run_state.cycles_at_dynamics = run_state.cycles;
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         {
           JointState &joint       = run_state.joints[j];
           joint.depth_at_dynamics = joint.depth;
-          joint.loads = merge_cycles(cycle.joint(joint_bushings[j].name()),
-                                     cycle.settling.n_averaged_cycles,
-                                     merging_tolerance);
+          joint.loads_of_cases.clear();
+          for (const Multibody::DutyCycle &cycle : cycles)
+            joint.loads_of_cases.push_back(
+              merge_cycles(cycle.joint(joint_bushings[j].name()),
+                           cycle.settling.n_averaged_cycles,
+                           merging_tolerance));
+          joint.loads = combine_loads(joint.loads_of_cases, shares, factors);
         }
+      for (std::size_t i = 0; i < cycles.size(); ++i)
+        if (shares[i] > 0.)
+          add_to_dynamics_totals(cycles[i], was_quasi_static[i]);
+    }
 
+
+
+    void
+    WearProcess::add_to_dynamics_totals(const Multibody::DutyCycle &cycle,
+                                        const bool was_quasi_static)
+    {
       const Multibody::SettlingReport &settling = cycle.settling;
       run_state.counts.dynamics_cycles += settling.n_cycles;
       DynamicsTotals &totals = run_state.dynamics;
-      const bool      gave_up_following =
-        was_quasi_static && !run_state.duty_cycle.is_quasi_static;
+      const bool gave_up_following = was_quasi_static && !cycle.is_quasi_static;
       if (!settling.message.empty() &&
           (totals.settling_message.empty() || gave_up_following))
         {
@@ -135,10 +175,12 @@ namespace Tribody
             joint.loads,
             joint.contact.samples.empty() ? nullptr : &joint.contact,
             joint.totals.sliding_distance);
-          joint.totals.strains.widen(compute_strains(
-            joint_bushings[j],
-            run_state.duty_cycle.joint(joint_bushings[j].name()),
-            joint.contact));
+          for (std::size_t i = 0; i < factors.size(); ++i)
+            if (run_state.shares[i] > 0.)
+              joint.totals.strains.widen(compute_strains(
+                joint_bushings[j],
+                run_state.duty_cycles[i].joint(joint_bushings[j].name()),
+                joint.contact));
           check_strains(joint.totals.strains, joint_bushings[j].name());
         }
       count_rate_evaluations(1);
@@ -198,40 +240,67 @@ namespace Tribody
       const WearStep step = advance(end);
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         {
-          const WearingBushing            &bushing = joint_bushings[j];
-          const Multibody::JointDutyCycle &cycle =
-            run_state.duty_cycle.joint(bushing.name());
           JointState            &joint = run_state.joints[j];
-          const Eigen::VectorXd &built = bushing.depth_at_compliance();
+          const Eigen::VectorXd &built = joint_bushings[j].depth_at_compliance();
           if (built != joint.depth_at_compliance)
             ++run_state.counts.compliance_builds;
           joint.depth               = step.depths[j];
           joint.depth_at_compliance = built;
-
-          const double distance =
-            (step.cycles - run_state.cycles) * cycle.sliding_distance();
-          JointTotals &totals = joint.totals;
-          totals.sliding_distance += distance;
-          const double     n_cycles = step.cycles - run_state.cycles;
-          const DutyErrors errors   = estimate_duty_errors(
-            run_state.duty_cycle, cycle, joint.loads, reach_of(joint.contact));
-          totals.duty_errors.sampling += n_cycles * errors.sampling;
-          totals.duty_errors.inertia += n_cycles * errors.inertia;
-          totals.duty_errors.settling += n_cycles * errors.settling;
-          totals.duty_errors.integration += n_cycles * errors.integration;
-          totals.duty_errors.creep += n_cycles * errors.creep;
-          totals.force_over_sliding += distance * cycle.mean_normal_force();
-          const std::vector<WearingSurface> surfaces = bushing.surfaces();
-          for (std::size_t i = 0; i < surfaces.size(); ++i)
-            totals.surfaces[i].removed_volume +=
-              surfaces[i].part_of(step.removed_areas[j]).sum() *
-              bushing.bushing_parameters().axial_length;
+          add_to_joint_totals(step, j);
+        }
+      const double n_cycles = step.cycles - run_state.cycles;
+      for (std::size_t i = 0; i < factors.size(); ++i)
+        {
+          const double of_case = n_cycles * run_state.shares[i];
+          run_state.cycles_of_cases[i] += of_case;
+          run_state.operating_time +=
+            of_case * run_state.duty_cycles[i].period;
         }
       run_state.cycles = step.cycles;
       if (step.reached)
         run_state.stopped_by = stop_conditions.describe(*step.reached);
       count_rate_evaluations(step.n_rate_evaluations);
       ++run_state.counts.wear_steps;
+    }
+
+
+
+    void
+    WearProcess::add_to_joint_totals(const WearStep &step, const std::size_t j)
+    {
+      const WearingBushing &bushing  = joint_bushings[j];
+      const double          n_cycles = step.cycles - run_state.cycles;
+      JointState           &joint    = run_state.joints[j];
+      JointTotals          &totals   = joint.totals;
+      // The errors count as much as each case wears.
+      double     force_over_sliding = 0.;
+      DutyErrors errors;
+      for (std::size_t i = 0; i < factors.size(); ++i)
+        if (run_state.shares[i] > 0.)
+          {
+            const Multibody::DutyCycle      &cycle = run_state.duty_cycles[i];
+            const Multibody::JointDutyCycle &of_joint =
+              cycle.joint(bushing.name());
+            const double distance =
+              n_cycles * run_state.shares[i] * of_joint.sliding_distance();
+            const double weight =
+              distance * of_joint.mean_normal_force() * factors[i];
+            totals.sliding_distance += distance;
+            force_over_sliding += weight;
+            errors.add(weight,
+                       estimate_duty_errors(cycle,
+                                            of_joint,
+                                            joint.loads_of_cases[i],
+                                            reach_of(joint.contact)));
+          }
+      totals.force_over_sliding += force_over_sliding;
+      if (force_over_sliding > 0.)
+        totals.duty_errors.add(n_cycles / force_over_sliding, errors);
+      const std::vector<WearingSurface> surfaces = bushing.surfaces();
+      for (std::size_t i = 0; i < surfaces.size(); ++i)
+        totals.surfaces[i].removed_volume +=
+          surfaces[i].part_of(step.removed_areas[j]).sum() *
+          bushing.bushing_parameters().axial_length;
     }
 
 

@@ -30,7 +30,8 @@ namespace Tribody
                              const Sliding         &sliding) const
     {
       Eigen::VectorXd areas =
-        (archard.wear_coefficient * sliding.increment) * nodal_forces;
+        (archard.wear_coefficient * sliding.increment * sliding.factor) *
+        nodal_forces;
       if (!is_constant())
         for (Eigen::Index i = 0; i < areas.size(); ++i)
           if (areas[i] != 0.)
@@ -47,7 +48,8 @@ namespace Tribody
                               const Sliding         &sliding) const
     {
       // A = k ds f(p) lambda with p = lambda/w.
-      const double    k = archard.wear_coefficient * sliding.increment;
+      const double k =
+        archard.wear_coefficient * sliding.increment * sliding.factor;
       Eigen::VectorXd derivatives =
         Eigen::VectorXd::Constant(nodal_forces.size(), k);
       if (is_constant())

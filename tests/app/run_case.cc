@@ -244,8 +244,8 @@ compare_beside(const RunResults  &results,
   // Of the joint that wears first, or of the crank pin.
   const std::string joint =
     results.bushings.empty() ? "crank_pin" : results.bushings[0].name;
-  const Multibody::JointDutyCycle &a = results.state.duty_cycle.joint(joint);
-  const Multibody::JointDutyCycle &b = other.state.duty_cycle.joint(joint);
+  const Multibody::JointDutyCycle &a = results.state.duty_cycles.front().joint(joint);
+  const Multibody::JointDutyCycle &b = other.state.duty_cycles.front().joint(joint);
   compare_difference("peak_force",
                      a.peak_force(),
                      b.peak_force(),
@@ -312,7 +312,7 @@ print_joint(const std::size_t  j,
             const std::string &reference,
             const std::string &directory)
 {
-  const Multibody::JointDutyCycle &joint = results.state.duty_cycle.joints[j];
+  const Multibody::JointDutyCycle &joint = results.state.duty_cycles.front().joints[j];
   const auto is_given                    = [&](const std::string &file_name) {
     return joint.name == "crank_pin" && std::filesystem::exists(file_name);
   };
@@ -390,12 +390,12 @@ main(int argc, char **argv)
             << "1e-8 m: " << (state.dynamics.constraint_drift < 1e-8)
             << ", settled: " << std::boolalpha << state.dynamics.all_settled
             << std::noboolalpha << std::endl;
-  if (state.duty_cycle.energy.cycle.has_work)
-    print_energy_balance(state.duty_cycle.energy.relative_error);
+  if (state.duty_cycles.front().energy.cycle.has_work)
+    print_energy_balance(state.duty_cycles.front().energy.relative_error);
   // In the order of their names.
   std::map<std::string, std::size_t> number_of;
-  for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
-    number_of[state.duty_cycle.joints[j].name] = j;
+  for (std::size_t j = 0; j < state.duty_cycles.front().joints.size(); ++j)
+    number_of[state.duty_cycles.front().joints[j].name] = j;
   std::size_t n_printed = 0;
   for (const auto &[joint_name, j] : number_of)
     print_joint(j,

@@ -23,6 +23,7 @@ NAMED = (
     "Torque",
     "Material",
     "Bushing",
+    "Load case",
 )
 
 #: Kind of subsection -> entry -> kind of value. 'Bushing/Mesh' is one in another.
@@ -40,6 +41,17 @@ TABLE = {
         "Torques": "names",
         "Materials": "names",
         "Bushings": "names",
+        "Load cases": "names",
+        "Order of load cases": "word",
+        "Stop at time": "s",
+        "Operating share": "1",
+    },
+    "Load case": {
+        "Cycles": "1",
+        "Duration": "s",
+        "Share": "1",
+        "Wear coefficient factor": "1",
+        "Gravity": "point m s-2",
     },
     "Ground": {"Markers": "markers"},
     "Body": {
@@ -218,6 +230,9 @@ def kind_of(subsections, name):
     """The kind of value of an entry, None if there is no such entry."""
     section = list(subsections)
     if section:
+        # A load case repeats other subsections.
+        if section[0].startswith("Load case ") and len(section) > 1:
+            return kind_of(section[1:], name)
         for named in sorted(NAMED, key=len, reverse=True):
             if section[0].startswith(named + " "):
                 section[0] = named

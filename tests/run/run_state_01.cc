@@ -159,7 +159,8 @@ namespace
       a.counts.compliance_builds == b.counts.compliance_builds &&
       a.dynamics.contact_losses == b.dynamics.contact_losses &&
       a.dynamics.constraint_drift == b.dynamics.constraint_drift &&
-      agree(a.duty_cycle, b.duty_cycle) && agree(a.stepper, b.stepper);
+      a.operating_time == b.operating_time && a.shares == b.shares &&
+      agree(a.duty_cycles.front(), b.duty_cycles.front()) && agree(a.stepper, b.stepper);
     for (std::size_t j = 0; same && j < a.joints.size(); ++j)
       {
         const JointState &x = a.joints[j];

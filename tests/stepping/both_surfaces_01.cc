@@ -144,7 +144,7 @@ namespace
     const Multibody::JointDutyCycle &
     cycle() const
     {
-      return process.state().duty_cycle.joints[0];
+      return process.state().duty_cycles.front().joints[0];
     }
 
     WearProcess process;

@@ -155,7 +155,7 @@ namespace
         const auto       rate = [&](const double by) {
           return run.bushing()
             .compute_cycle_contact(run.bushing().depth() + by * direction,
-                                   run.process.state().duty_cycle.joints[0],
+                                   run.process.state().duty_cycles.front().joints[0],
                                    &contact)
             .removed_area.cwiseQuotient(contact.area_derivative)
             .eval();

@@ -227,7 +227,7 @@ namespace
             run.go_to(cycles);
             const double depth = crescent.depth(
               cycles *
-              run.process.state().duty_cycle.joints[0].sliding_distance());
+              run.process.state().duty_cycles.front().joints[0].sliding_distance());
             depth_error =
               std::max(depth_error, std::abs(run.depth() / depth - 1.));
             volume_error =

@@ -3,6 +3,7 @@
 #ifndef tribody_base_parameter_file_h
 #define tribody_base_parameter_file_h
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -80,6 +81,29 @@ namespace Tribody
     std::string
     file_named_by(const std::string &path) const;
 
+    /// Of all parameters that are set in @p subsection, once each, as seen from
+    /// there: "B/name" for "A/B/name".
+    std::vector<std::string>
+    paths_in(const std::string &subsection) const;
+
+    /// A copy in which no parameter of @p subsection is set that @p paths name,
+    /// seen from there.
+    ParameterFile
+    without(const std::string              &subsection,
+            const std::vector<std::string> &paths) const;
+
+    /// A copy in which these parameters of @p subsection are set outside of it
+    /// instead, as the last ones: "B/name" for "A/B/name".
+    ParameterFile
+    with_raised(const std::string              &subsection,
+                const std::vector<std::string> &paths) const;
+
+    /// The assignments to these parameters of @p subsection as a parameter
+    /// file has them.
+    std::string
+    print(const std::string              &subsection,
+          const std::vector<std::string> &paths) const;
+
   private:
     struct Assignment
     {
@@ -112,6 +136,18 @@ namespace Tribody
 
     const Assignment *
     find(const std::string &path) const;
+
+    // The path as seen from the subsection; empty if it is not in there.
+    static std::string
+    path_within(const std::string &subsection, const Assignment &assignment);
+
+    // Without those to these paths within the subsection, and these.
+    std::array<std::vector<Assignment>, 2>
+    split(const std::string              &subsection,
+          const std::vector<std::string> &paths) const;
+
+    void
+    index_assignments();
 
     std::string              file_name;
     std::vector<Assignment>  assignments;

@@ -5,6 +5,7 @@
 
 #include <tribody/base/material.h>
 #include <tribody/bushing/bushing_parameters.h>
+#include <tribody/case/load_case.h>
 #include <tribody/multibody/motion/dynamics_parameters.h>
 #include <tribody/multibody/system/mechanism_parameters.h>
 #include <tribody/stepping/wear_parameters.h>
@@ -34,17 +35,31 @@ namespace Tribody
 
       /// One line that says what the case is, for log and summary.
       std::string title;
-      /// Cycles to run; 0: dynamics only.
+      /// Cycles to run, those of all load cases together; 0: dynamics only.
       unsigned int cycles = 0;
+      /// After which a run ends, standstill included [s]; 0: none. It is in
+      /// #cycles already.
+      double stop_at_time = 0.;
+      /// Whether it ends the run before its cycles are done.
+      bool ends_by_time = false;
+      /// The part of that time in which the machine works [-].
+      double operating_share = 1.;
       /// Where to write; empty: "output/<name of the parameter file>".
       std::string output_directory;
       /// Times at which fields are written, the first and last cycle included.
       unsigned int n_outputs = 3;
 
+      /// How the load cases follow each other.
+      LoadCaseOrder load_case_order = LoadCaseOrder::repeated;
+      /// At least one: without load cases the case itself, without a name.
+      std::vector<LoadCase> load_cases;
+      /// How they share the cycles.
+      Spectrum spectrum;
+
       /// Bodies, joints, drivers, springs and forces; joints know their
-      /// materials.
+      /// materials. Those of the first load case.
       Multibody::MechanismParameters mechanism;
-      /// How the motion is computed and when it counts as settled.
+      /// How the motion is computed and when it counts as settled; likewise.
       Multibody::DynamicsParameters dynamics;
       /// All that the file lists, whether something is made of them or not.
       std::vector<Material> materials;

@@ -33,11 +33,12 @@ namespace Tribody
       /// Nothing is written before start(), and by the first rank of
       /// @p communicator, but for meshes that the ranks share. All of them
       /// must call record() and record_fields() together.
-      RunRecorder(const CaseParameters       &parameters,
-                  const Multibody::Mechanism &mechanism,
-                  Output::OutputDirectory    &directory,
-                  Console                    &console,
-                  const MPI_Comm             &communicator);
+      /// @param mechanisms of the load cases; they must outlive this object.
+      RunRecorder(const CaseParameters                            &parameters,
+                  const std::vector<const Multibody::Mechanism *> &mechanisms,
+                  Output::OutputDirectory                         &directory,
+                  Console                                         &console,
+                  const MPI_Comm &communicator);
 
       /// Make the output directory, open the log, write parameters.prm.
       void
@@ -81,9 +82,11 @@ namespace Tribody
       write_history_row(const RunState                   &state,
                         const std::deque<WearingBushing> &bushings);
 
-      // A film of the moving mechanism; the last one stays.
+      // A film of the mechanism as it moves in a load case; the last one
+      // stays.
       void
-      write_mechanism(const Multibody::DutyCycle &cycle) const;
+      write_mechanism(const std::size_t           load_case,
+                      const Multibody::DutyCycle &cycle) const;
 
       void
       write_bushing(const RunState       &state,
@@ -98,7 +101,7 @@ namespace Tribody
                      const std::deque<WearingBushing> &bushings);
 
       const CaseParameters       &parameters;
-      const Multibody::Mechanism &mechanism;
+      std::vector<const Multibody::Mechanism *> mechanisms;
       Output::OutputDirectory    &directory;
       Console                    &console;
       MPI_Comm                    communicator;

@@ -15,6 +15,7 @@
 #include <tribody/stepping/coarse_run.h>
 #include <tribody/stepping/wear_process.h>
 
+#include <deque>
 #include <exception>
 #include <functional>
 #include <map>
@@ -26,6 +27,20 @@ namespace Tribody
 {
   namespace Coupling
   {
+    /// A load case with its mechanism, whose motion can be computed.
+    struct OperatingCase
+    {
+      /// @throws ExcRun if the mechanism cannot be assembled.
+      OperatingCase(const LoadCase                      &load_case,
+                    const Multibody::DynamicsParameters &dynamics);
+
+      /// The bodies and joints of all cases, with the drivers and forces of
+      /// this one.
+      Multibody::Mechanism mechanism;
+      /// Refers to the mechanism.
+      Multibody::CycleSimulation dynamics;
+    };
+
     /**
      * The chain: dynamics of one cycle, contact pressure in the bushings,
      * Archard's law, extrapolation over many cycles, worn geometry, and round
@@ -117,7 +132,8 @@ namespace Tribody
       void
       check_files(const Output::OutputDirectory &directory) const;
 
-      /// One settled cycle of the mechanism with its worn joints, on each rank.
+      /// One settled cycle of the mechanism with its worn joints in each load
+      /// case that has a share, on each rank.
       void
       run_dynamics();
 
@@ -150,8 +166,7 @@ namespace Tribody
       Console                   &console;
       MPI_Comm                   communicator;
       dealii::TimerOutput        timer;
-      Multibody::Mechanism       mechanism;
-      Multibody::CycleSimulation dynamics;
+      std::deque<OperatingCase>  cases;
       WearProcess                process;
       std::unique_ptr<CoarseRun> coarse_run;
     };

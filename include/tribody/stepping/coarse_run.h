@@ -25,9 +25,8 @@ namespace Tribody
     class CoarseRun
     {
     public:
-      /// @param bushings those of the run; what has no coarser mesh stays out.
-      CoarseRun(const WearParameters             &parameters,
-                const std::deque<WearingBushing> &bushings);
+      /// @param run whose bushings have twins, where they have a coarser mesh.
+      CoarseRun(const WearParameters &parameters, const WearProcess &run);
 
       /// Go on from the twin of the state of a run, with the errors seen so
       /// far.

@@ -56,6 +56,17 @@ namespace Tribody
                 creep / n_cycles};
       }
 
+      /// Add @p factor times @p other.
+      void
+      add(const double factor, const DutyErrors &other)
+      {
+        sampling += factor * other.sampling;
+        inertia += factor * other.inertia;
+        settling += factor * other.settling;
+        integration += factor * other.integration;
+        creep += factor * other.creep;
+      }
+
       /// All together.
       double
       sum() const
@@ -84,7 +95,8 @@ namespace Tribody
       std::array<SurfaceTotals, 2> surfaces;
       /// Distance that the pin has slid [m].
       double sliding_distance = 0.;
-      /// Integral of the normal force over that distance [N m].
+      /// Integral of the normal force over that distance, times the wear
+      /// factors of the load cases [N m].
       double force_over_sliding = 0.;
       /// Estimated error of the depth left by the steps [m], per wearing node.
       Eigen::VectorXd depth_error;
@@ -105,8 +117,10 @@ namespace Tribody
       Eigen::VectorXd depth_at_compliance;
       /// What the motion of the mechanism was computed for, with a lag too.
       Eigen::VectorXd depth_at_dynamics;
-      /// What wears it: the loads of the duty cycle, those of several cycles
-      /// merged.
+      /// The loads of the duty cycle of each load case, those of several
+      /// cycles merged.
+      std::vector<Multibody::BearingLoads> loads_of_cases;
+      /// What wears it: all of these, as far as they have a share.
       Multibody::BearingLoads loads;
       /// Contact and wear per cycle at the depth, under these loads.
       CycleContact contact;
@@ -194,8 +208,14 @@ namespace Tribody
       double cycles_at_dynamics = 0.;
       /// One per bushing.
       std::vector<JointState> joints;
-      /// Motion and joint forces that wear goes on under.
-      Multibody::DutyCycle duty_cycle;
+      /// Motion and joint forces that wear goes on under, one per load case.
+      std::vector<Multibody::DutyCycle> duty_cycles;
+      /// The part of each load case in the cycles that follow; all: one [-].
+      Eigen::VectorXd shares;
+      /// How long the cycles have lasted [s].
+      double operating_time = 0.;
+      /// How many there were of each load case.
+      Eigen::VectorXd cycles_of_cases;
       /// Sums over the duty cycles before it, and its own.
       DynamicsTotals dynamics;
       /// For the next wear step.

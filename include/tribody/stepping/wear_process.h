@@ -21,10 +21,10 @@ namespace Tribody
      * many cycles, worn geometry. One round is
      *
      *     process.take_step(end);
-     *     process.renew_duty_cycle(...);      where the motion has changed
+     *     process.renew_duty_cycles(...);     where the motion has changed
      *     process.complete_step(kept_since);
      *
-     * after renew_duty_cycle() and solve_contacts() for the first cycle. Where
+     * after renew_duty_cycles() and solve_contacts() for the first cycle. Where
      * it stands is state(); everything else is constant, or follows from the
      * depths in there.
      */
@@ -32,8 +32,10 @@ namespace Tribody
     {
     public:
       /// @param bushings unworn.
+      /// @param wear_factors of the load cases [-].
       WearProcess(const WearParameters        &parameters,
-                  std::deque<WearingBushing> &&bushings);
+                  std::deque<WearingBushing> &&bushings,
+                  const std::vector<double>   &wear_factors = {1.});
 
       WearProcess(const WearProcess &) = delete;
       WearProcess &
@@ -62,9 +64,26 @@ namespace Tribody
       void
       restore(const RunState &state);
 
-      /// Wear under @p cycle from now on.
+      /// Wear under @p cycles from now on, one per load case, of which each
+      /// has its part of @p shares [-]. If the shares have changed, the next
+      /// step begins as if it were the first one.
       void
-      renew_duty_cycle(const Multibody::DutyCycle &cycle);
+      renew_duty_cycles(const std::vector<Multibody::DutyCycle> &cycles,
+                        const Eigen::VectorXd                   &shares);
+
+      /// The same with one load case.
+      void
+      renew_duty_cycle(const Multibody::DutyCycle &cycle)
+      {
+        renew_duty_cycles({cycle}, Eigen::VectorXd::Ones(1));
+      }
+
+      /// The wear factors of the load cases [-].
+      const std::vector<double> &
+      wear_factors() const
+      {
+        return factors;
+      }
 
       /// Whether a profile has changed by more than 'Dynamics update' of the
       /// clearance since the duty cycle was renewed.
@@ -120,10 +139,23 @@ namespace Tribody
       void
       count_rate_evaluations(const unsigned int n);
 
+      // Checks of the duty cycle of one load case.
+      void
+      check_duty_cycle(const Multibody::DutyCycle &cycle) const;
+
+      void
+      add_to_dynamics_totals(const Multibody::DutyCycle &cycle,
+                             const bool                  was_quasi_static);
+
+      // The step has taken so many cycles.
+      void
+      add_to_joint_totals(const WearStep &step, const std::size_t j);
+
       double                     dynamics_update;
       std::deque<WearingBushing> joint_bushings;
       StopConditions             stop_conditions;
       std::unique_ptr<CycleJump> jump;
+      std::vector<double>        factors;
       RunState                   run_state;
     };
   } // namespace Coupling

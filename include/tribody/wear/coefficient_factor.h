@@ -21,6 +21,9 @@ namespace Tribody
       double speed = 0.;
       /// Distance s that the joint has slid before this cycle [m].
       double distance = 0.;
+      /// What multiplies the wear coefficients meanwhile, whatever they depend
+      /// on [-].
+      double factor = 1.;
     };
 
     /// What multiplies a wear coefficient, with its derivative.

@@ -86,6 +86,13 @@ namespace Tribody
       void
       check_repetition() const;
 
+      /// Of one cycle [s].
+      double
+      duration() const
+      {
+        return period;
+      }
+
       /// Of the joints as manufactured.
       std::vector<ReferenceScale>
       reference_scales(const Supports &supports = {}) const;

@@ -29,6 +29,8 @@ namespace Tribody
       Eigen::VectorXd sliding_increment;
       /// Mean sliding speed meanwhile [m/s], not negative.
       Eigen::VectorXd sliding_speed;
+      /// What multiplies the wear coefficient meanwhile [-]; empty: one.
+      Eigen::VectorXd wear_factor = {};
 
       /// How many there are.
       Eigen::Index
