@@ -527,9 +527,9 @@ namespace Tribody
           double constant = 0.;
           if (surface.law.is_constant())
             for (const Wear::Sliding &sliding : contact.slidings)
-              constant +=
-                surface.law.archard.area_increment(
-                  1., sliding.increment * sliding.factor);
+              constant += surface.law.archard.area_increment(1.,
+                                                             sliding.increment *
+                                                               sliding.factor);
           else
             {
               const Ranks::Range own =

@@ -188,16 +188,10 @@ namespace Tribody
 
 
 
-      // The handler keeps references into @p parameters and @p lists.
+      // How long a run is.
       void
-      declare(dealii::ParameterHandler &prm,
-              CaseParameters           &parameters,
-              std::vector<NameList>    &lists)
+      declare_duty(dealii::ParameterHandler &prm, CaseParameters &parameters)
       {
-        Parameters::add_text(prm,
-                             "Title",
-                             parameters.title,
-                             "One line that says what the case is.");
         Parameters::add_integer(prm,
                                 "Cycles",
                                 parameters.cycles,
@@ -228,6 +222,21 @@ namespace Tribody
                                "load case comes again and again, so that they "
                                "wear together; 'in sequence': all cycles of "
                                "one, then those of the next.");
+      }
+
+
+
+      // The handler keeps references into @p parameters and @p lists.
+      void
+      declare(dealii::ParameterHandler &prm,
+              CaseParameters           &parameters,
+              std::vector<NameList>    &lists)
+      {
+        Parameters::add_text(prm,
+                             "Title",
+                             parameters.title,
+                             "One line that says what the case is.");
+        declare_duty(prm, parameters);
         for (NameList &list : lists)
           Parameters::add_names(prm, list.list, list.names, list.documentation);
         Parameters::add_point(prm,
@@ -665,20 +674,17 @@ namespace Tribody
       void
       set_first_cycle(const ParameterFile &file, CaseParameters &parameters)
       {
-        AssertThrow(parameters.operating_share > 0. &&
-                      parameters.operating_share <= 1.,
-                    ExcParameter("Operating share",
-                                 Units::to_string(parameters.operating_share,
-                                                  "",
-                                                  "") +
-                                   " is no part of the time: it is above 0 and "
-                                   "at most 1"));
-        AssertThrow(parameters.stop_at_time >= 0.,
-                    ExcParameter("Stop at time",
-                                 Units::to_string(parameters.stop_at_time,
-                                                  "s",
-                                                  "h") +
-                                   " is negative"));
+        AssertThrow(
+          parameters.operating_share > 0. && parameters.operating_share <= 1.,
+          ExcParameter("Operating share",
+                       Units::to_string(parameters.operating_share, "", "") +
+                         " is no part of the time: it is above 0 and "
+                         "at most 1"));
+        AssertThrow(
+          parameters.stop_at_time >= 0.,
+          ExcParameter("Stop at time",
+                       Units::to_string(parameters.stop_at_time, "s", "h") +
+                         " is negative"));
         const bool is_in_sequence =
           parameters.load_case_order == LoadCaseOrder::in_sequence;
         AssertThrow(!is_in_sequence || !parameters.load_cases.empty(),
@@ -770,13 +776,13 @@ namespace Tribody
             n_cycles = std::min(n_cycles, in_time);
           }
         n_cycles = std::round(n_cycles);
-        AssertThrow(
-          n_cycles >= 1. && n_cycles <= max_n_cycles,
-          ExcParameter(parameters.stop_at_time > 0. ? "Stop at time" :
-                                                      "Load cases",
-                       "this makes " + significant_digits(n_cycles, 6) +
-                         " cycles; there may be 1 to " +
-                         std::to_string(max_n_cycles)));
+        AssertThrow(n_cycles >= 1. && n_cycles <= max_n_cycles,
+                    ExcParameter(parameters.stop_at_time > 0. ? "Stop at time"
+                                                              : "Load cases",
+                                 "this makes " +
+                                   significant_digits(n_cycles, 6) +
+                                   " cycles; there may be 1 to " +
+                                   std::to_string(max_n_cycles)));
         parameters.cycles = static_cast<unsigned int>(n_cycles);
         check_cycles_per_step(parameters);
       }
@@ -788,8 +794,8 @@ namespace Tribody
       print_with_load_cases(const ParameterFile            &file,
                             const std::vector<std::string> &names)
       {
-        const ParameterFile common = file_of_all_load_cases(file, names);
-        CaseParameters      parameters;
+        const ParameterFile      common = file_of_all_load_cases(file, names);
+        CaseParameters           parameters;
         std::vector<NameList>    lists = read_name_lists(common);
         dealii::ParameterHandler prm;
         declare(prm, parameters, lists);
@@ -831,8 +837,8 @@ namespace Tribody
               const std::vector<std::string> &overrides)
     {
       const ParameterFile            file(file_name, overrides);
-      const std::vector<std::string> names = names_of_kind(
-        read_name_lists(file), "Load case");
+      const std::vector<std::string> names =
+        names_of_kind(read_name_lists(file), "Load case");
       const std::string text = print_with_load_cases(file, names);
 
       // What they have in common is taken from the first.
@@ -841,8 +847,10 @@ namespace Tribody
         parameters = read_load_case(file, file_name, "");
       for (std::size_t i = 0; i < names.size(); ++i)
         {
-          const CaseParameters of_case = read_load_case(
-            file_of_load_case(file, names, names[i]), file_name, names[i]);
+          const CaseParameters of_case =
+            read_load_case(file_of_load_case(file, names, names[i]),
+                           file_name,
+                           names[i]);
           if (i == 0)
             parameters = of_case;
           parameters.load_cases[i] = of_case.load_cases[i];

@@ -91,14 +91,14 @@ namespace Tribody
         paths.erase(std::remove_if(paths.begin(), paths.end(), is_own_entry),
                     paths.end());
         for (const std::string &path : paths)
-          AssertThrow(
-            may_differ(path),
-            ExcInput(file.location(subsection + "/" + path) + ": " +
-                     subsection + ": " + in_quotes(path) +
-                     " is the same in all load cases. What may differ are "
-                     "'Gravity', masses and starts of bodies, friction and "
-                     "damping of joints, springs, drivers, forces, torques, "
-                     "'Dynamics', and the 'Wear coefficient factor'"));
+          AssertThrow(may_differ(path),
+                      ExcInput(
+                        file.location(subsection + "/" + path) + ": " +
+                        subsection + ": " + in_quotes(path) +
+                        " is the same in all load cases. What may differ are "
+                        "'Gravity', masses and starts of bodies, friction and "
+                        "damping of joints, springs, drivers, forces, torques, "
+                        "'Dynamics', and the 'Wear coefficient factor'"));
         return paths;
       }
 
@@ -109,8 +109,8 @@ namespace Tribody
       {
         if (load_case.cycles > 0.)
           return load_case.cycles;
-        return (load_case.duration > 0. ? load_case.duration :
-                                          load_case.share) /
+        return (load_case.duration > 0. ? load_case.duration
+                                        : load_case.share) /
                load_case.period;
       }
     } // namespace
@@ -127,13 +127,12 @@ namespace Tribody
         "",
         "Cycles of this load case in a block, or, in sequence, in the whole "
         "run. Give this, 'Duration' or 'Share'.");
-      Parameters::add_quantity(
-        prm,
-        "Duration",
-        duration,
-        "s",
-        "Instead of 'Cycles': the time that they take.",
-        "h");
+      Parameters::add_quantity(prm,
+                               "Duration",
+                               duration,
+                               "s",
+                               "Instead of 'Cycles': the time that they take.",
+                               "h");
       Parameters::add_quantity(
         prm,
         "Share",
@@ -220,8 +219,7 @@ namespace Tribody
       for (const std::string &name : names)
         {
           const std::string subsection = "Load case " + name;
-          result =
-            result.without(subsection, repeated_paths(file, subsection));
+          result = result.without(subsection, repeated_paths(file, subsection));
         }
       return result;
     }
@@ -244,8 +242,7 @@ namespace Tribody
 
 
     Spectrum
-    make_spectrum(const std::vector<LoadCase> &cases,
-                  const LoadCaseOrder          order)
+    make_spectrum(const std::vector<LoadCase> &cases, const LoadCaseOrder order)
     {
       // Of the sum of shares: that of numbers with a few digits.
       constexpr double rounding = 1e-6;
@@ -275,14 +272,14 @@ namespace Tribody
                                        "'Duration'"));
               spectrum.has_blocks = false;
             }
-          AssertThrow((load_case.share > 0.) == (cases.front().share > 0.),
-                      ExcParameter((load_case.share > 0. ? load_case :
-                                                            cases.front())
-                                       .subsection() +
-                                     "/Share",
-                                   "is given for some load cases, 'Cycles' or "
-                                   "'Duration' for others; give all shares of "
-                                   "the time, or none"));
+          AssertThrow(
+            (load_case.share > 0.) == (cases.front().share > 0.),
+            ExcParameter(
+              (load_case.share > 0. ? load_case : cases.front()).subsection() +
+                "/Share",
+              "is given for some load cases, 'Cycles' or "
+              "'Duration' for others; give all shares of "
+              "the time, or none"));
           sum_of_shares += load_case.share;
           spectrum.cycles.push_back(number_of_cycles(load_case));
         }

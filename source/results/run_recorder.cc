@@ -320,7 +320,7 @@ namespace Tribody
       constexpr Eigen::Index max_frames = 180;
 
       const std::string &name = parameters.load_cases[load_case].name;
-      const std::string  stem = name.empty() ? "mechanism" : "mechanism_" + name;
+      const std::string stem = name.empty() ? "mechanism" : "mechanism_" + name;
       const MechanismPicture picture(*mechanisms[load_case], cycle);
       const Eigen::Index     n      = cycle.time.size();
       const Eigen::Index     stride = (n + max_frames - 1) / max_frames;

@@ -134,10 +134,10 @@ namespace Tribody
                                         bore_volume);
         // It knows one load case.
         if (process.wear_factors() == std::vector<double>{1.})
-          results.crescent = compute_crescent(
-            bushing,
-            state.duty_cycles.front().joint(bushing.name()),
-            joint.totals);
+          results.crescent =
+            compute_crescent(bushing,
+                             state.duty_cycles.front().joint(bushing.name()),
+                             joint.totals);
         results.clearance = bushing.largest_clearance(joint.depth);
         results.mesh_oscillation =
           Wear::mesh_oscillation(surfaces[0].part_of(joint.contact.wear_rate));

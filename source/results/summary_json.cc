@@ -179,9 +179,9 @@ namespace Tribody
         json["volume_balance_relative_error"] =
           bushing.bushing.volume_balance_relative_error;
         json["depth_error"] = depth_errors_to_json(bushing);
-        json["validity"] = {{"pressure_over_modulus", strains.pressure},
-                            {"penetration_over_wall", strains.displacement},
-                            {"message", describe(strains)}};
+        json["validity"]    = {{"pressure_over_modulus", strains.pressure},
+                               {"penetration_over_wall", strains.displacement},
+                               {"message", describe(strains)}};
         return json;
       }
 
@@ -214,8 +214,8 @@ namespace Tribody
         const Multibody::JointParameters &joint = parameters.joint(cycle.name);
         add_clearance_to_json(json,
                               cycle,
-                              bushing != nullptr ? bushing->clearance :
-                                                   joint.clearance(),
+                              bushing != nullptr ? bushing->clearance
+                                                 : joint.clearance(),
                               results.state.dynamics.contact_losses[j]);
         if (cycle.has_contact_law)
           json["contact_law"] = contact_law_to_json(joint);
@@ -223,8 +223,8 @@ namespace Tribody
           json["creep_per_cycle_m"] = cycle.creep_distance;
         if (cycles.energy.cycle.has_work && cycle.has_contact_law)
           {
-            const Eigen::Index law = cycles.contact_law_number(j);
-            json["normal_loss_J"]  = cycles.energy.cycle.normal_loss[law];
+            const Eigen::Index law  = cycles.contact_law_number(j);
+            json["normal_loss_J"]   = cycles.energy.cycle.normal_loss[law];
             json["friction_loss_J"] = cycles.energy.cycle.friction_loss[law];
           }
       }
@@ -242,11 +242,11 @@ namespace Tribody
              !cycles.empty() && j < cycles.front().joints.size();
              ++j)
           {
-            const std::string &name = cycles.front().joints[j].name;
+            const std::string    &name    = cycles.front().joints[j].name;
             const BushingResults *bushing = results.bushing(name);
-            Json json = bushing != nullptr ?
-                          wear_to_json(parameters, results, *bushing) :
-                          Json::object();
+            Json                  json    = bushing != nullptr
+                                              ? wear_to_json(parameters, results, *bushing)
+                                              : Json::object();
             if (bushing != nullptr)
               json["sliding_distance_m"] =
                 results.state.joints[bushing->number].totals.sliding_distance;
@@ -300,8 +300,7 @@ namespace Tribody
 
 
       Json
-      dynamics_to_json(const RunState             &state,
-                       const Multibody::DutyCycle &cycle)
+      dynamics_to_json(const RunState &state, const Multibody::DutyCycle &cycle)
       {
         const Multibody::SettlingReport      &settling   = cycle.settling;
         const Sundials::IntegratorStatistics &statistics = cycle.statistics;
@@ -340,11 +339,11 @@ namespace Tribody
       // Time and load cases; a case without them has one without a name.
       void
       add_load_cases_to_json(Json                 &json,
-                       const CaseParameters &parameters,
-                       const RunResults     &results)
+                             const CaseParameters &parameters,
+                             const RunResults     &results)
       {
-        const RunState &state        = results.state;
-        json["operating_time_s"]     = state.operating_time;
+        const RunState &state    = results.state;
+        json["operating_time_s"] = state.operating_time;
         json["time_with_standstill_s"] =
           state.operating_time / parameters.operating_share;
         if (parameters.load_cases.size() < 2)

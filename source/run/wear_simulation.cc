@@ -8,13 +8,13 @@
 #include <tribody/base/interruption.h>
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/base/units.h>
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/bushing/mesh_resolution.h>
 #include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
-#include <tribody/base/units.h>
 #include <tribody/run/wear_simulation.h>
 
 #include <algorithm>
@@ -141,8 +141,9 @@ namespace Tribody
                 << significant_digits(100. * spectrum.cycles[i] /
                                         spectrum.n_cycles(),
                                       3)
-                << " % of the cycles, " << significant_digits(load_case.period, 4)
-                << " s each" << std::endl;
+                << " % of the cycles, "
+                << significant_digits(load_case.period, 4) << " s each"
+                << std::endl;
       }
 
 
@@ -249,7 +250,7 @@ namespace Tribody
 
 
 
-    OperatingCase::OperatingCase(const LoadCase &load_case,
+    OperatingCase::OperatingCase(const LoadCase                      &load_case,
                                  const Multibody::DynamicsParameters &dynamics)
       : mechanism(Multibody::count_redundant_constraints(load_case.mechanism))
       , dynamics(mechanism, dynamics)
@@ -338,12 +339,11 @@ namespace Tribody
           const double tolerance =
             parameters.load_cases[i].dynamics.sampling_tolerance;
           for (std::size_t j = 0; j < state().joints.size(); ++j)
-            if (tolerance > 0. &&
-                state()
-                    .duty_cycles[i]
-                    .joint(process.bushings()[j].name())
-                    .sampling_error(reach_of(state().joints[j].contact)) >
-                  tolerance)
+            if (tolerance > 0. && state()
+                                      .duty_cycles[i]
+                                      .joint(process.bushings()[j].name())
+                                      .sampling_error(reach_of(
+                                        state().joints[j].contact)) > tolerance)
               return true;
         }
       return false;

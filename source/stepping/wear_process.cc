@@ -85,9 +85,8 @@ namespace Tribody
         {
           if (shares[i] > 0.)
             check_duty_cycle(cycles[i]);
-          was_quasi_static.push_back(
-            i < run_state.duty_cycles.size() &&
-            run_state.duty_cycles[i].is_quasi_static);
+          was_quasi_static.push_back(i < run_state.duty_cycles.size() &&
+                                     run_state.duty_cycles[i].is_quasi_static);
         }
       // Wear under other load cases has nothing to do with the last step.
       if (run_state.shares.size() > 0 && run_state.shares != shares)
@@ -120,7 +119,7 @@ namespace Tribody
     {
       const Multibody::SettlingReport &settling = cycle.settling;
       run_state.counts.dynamics_cycles += settling.n_cycles;
-      DynamicsTotals &totals = run_state.dynamics;
+      DynamicsTotals &totals       = run_state.dynamics;
       const bool gave_up_following = was_quasi_static && !cycle.is_quasi_static;
       if (!settling.message.empty() &&
           (totals.settling_message.empty() || gave_up_following))
@@ -241,7 +240,8 @@ namespace Tribody
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         {
           JointState            &joint = run_state.joints[j];
-          const Eigen::VectorXd &built = joint_bushings[j].depth_at_compliance();
+          const Eigen::VectorXd &built =
+            joint_bushings[j].depth_at_compliance();
           if (built != joint.depth_at_compliance)
             ++run_state.counts.compliance_builds;
           joint.depth               = step.depths[j];
@@ -253,8 +253,7 @@ namespace Tribody
         {
           const double of_case = n_cycles * run_state.shares[i];
           run_state.cycles_of_cases[i] += of_case;
-          run_state.operating_time +=
-            of_case * run_state.duty_cycles[i].period;
+          run_state.operating_time += of_case * run_state.duty_cycles[i].period;
         }
       run_state.cycles = step.cycles;
       if (step.reached)

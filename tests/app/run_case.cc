@@ -244,8 +244,10 @@ compare_beside(const RunResults  &results,
   // Of the joint that wears first, or of the crank pin.
   const std::string joint =
     results.bushings.empty() ? "crank_pin" : results.bushings[0].name;
-  const Multibody::JointDutyCycle &a = results.state.duty_cycles.front().joint(joint);
-  const Multibody::JointDutyCycle &b = other.state.duty_cycles.front().joint(joint);
+  const Multibody::JointDutyCycle &a =
+    results.state.duty_cycles.front().joint(joint);
+  const Multibody::JointDutyCycle &b =
+    other.state.duty_cycles.front().joint(joint);
   compare_difference("peak_force",
                      a.peak_force(),
                      b.peak_force(),
@@ -312,8 +314,9 @@ print_joint(const std::size_t  j,
             const std::string &reference,
             const std::string &directory)
 {
-  const Multibody::JointDutyCycle &joint = results.state.duty_cycles.front().joints[j];
-  const auto is_given                    = [&](const std::string &file_name) {
+  const Multibody::JointDutyCycle &joint =
+    results.state.duty_cycles.front().joints[j];
+  const auto is_given = [&](const std::string &file_name) {
     return joint.name == "crank_pin" && std::filesystem::exists(file_name);
   };
   print_forces(joint, reference + "_forces.csv", row);

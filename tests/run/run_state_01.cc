@@ -160,7 +160,8 @@ namespace
       a.dynamics.contact_losses == b.dynamics.contact_losses &&
       a.dynamics.constraint_drift == b.dynamics.constraint_drift &&
       a.operating_time == b.operating_time && a.shares == b.shares &&
-      agree(a.duty_cycles.front(), b.duty_cycles.front()) && agree(a.stepper, b.stepper);
+      agree(a.duty_cycles.front(), b.duty_cycles.front()) &&
+      agree(a.stepper, b.stepper);
     for (std::size_t j = 0; same && j < a.joints.size(); ++j)
       {
         const JointState &x = a.joints[j];

@@ -154,9 +154,10 @@ namespace
         constexpr double step = 1e-10;
         const auto       rate = [&](const double by) {
           return run.bushing()
-            .compute_cycle_contact(run.bushing().depth() + by * direction,
-                                   run.process.state().duty_cycles.front().joints[0],
-                                   &contact)
+            .compute_cycle_contact(
+              run.bushing().depth() + by * direction,
+              run.process.state().duty_cycles.front().joints[0],
+              &contact)
             .removed_area.cwiseQuotient(contact.area_derivative)
             .eval();
         };

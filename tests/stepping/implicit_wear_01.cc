@@ -225,9 +225,10 @@ namespace
         for (const double cycles : {5., 50., 500., 5000., 50000.})
           {
             run.go_to(cycles);
-            const double depth = crescent.depth(
-              cycles *
-              run.process.state().duty_cycles.front().joints[0].sliding_distance());
+            const double depth = crescent.depth(cycles * run.process.state()
+                                                           .duty_cycles.front()
+                                                           .joints[0]
+                                                           .sliding_distance());
             depth_error =
               std::max(depth_error, std::abs(run.depth() / depth - 1.));
             volume_error =

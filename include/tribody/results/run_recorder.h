@@ -100,12 +100,12 @@ namespace Tribody
       print_progress(const RunState                   &state,
                      const std::deque<WearingBushing> &bushings);
 
-      const CaseParameters       &parameters;
+      const CaseParameters                     &parameters;
       std::vector<const Multibody::Mechanism *> mechanisms;
-      Output::OutputDirectory    &directory;
-      Console                    &console;
-      MPI_Comm                    communicator;
-      bool                        writes;
+      Output::OutputDirectory                  &directory;
+      Console                                  &console;
+      MPI_Comm                                  communicator;
+      bool                                      writes;
 
       std::unique_ptr<TableWriter> history;
       /// Fields written so far, and at which cycle the last were.

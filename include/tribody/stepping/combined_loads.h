@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include <tribody/multibody/joints/bearing_loads.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 
 #include <vector>
 
