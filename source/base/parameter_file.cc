@@ -229,6 +229,17 @@ namespace Tribody
 
 
   std::string
+  full_path(const std::string &file_name)
+  {
+    std::error_code             error;
+    const std::filesystem::path absolute =
+      std::filesystem::absolute(file_name, error);
+    return error ? file_name : absolute.lexically_normal().string();
+  }
+
+
+
+  std::string
   nearest_names(const std::string              &word,
                 const std::vector<std::string> &candidates)
   {
@@ -274,7 +285,12 @@ namespace Tribody
     first_of_subsection.clear();
     for (std::size_t i = 0; i < assignments.size(); ++i)
       {
-        first_of_subsection.emplace(joined(assignments[i].subsections), i);
+        std::vector<std::string> subsections;
+        for (const std::string &subsection : assignments[i].subsections)
+          {
+            subsections.push_back(subsection);
+            first_of_subsection.emplace(joined(subsections), i);
+          }
         last_of_path[path_of(assignments[i])] = i;
       }
   }
@@ -565,7 +581,8 @@ namespace Tribody
 
   std::string
   ParameterFile::print(const std::string              &subsection,
-                       const std::vector<std::string> &paths) const
+                       const std::vector<std::string> &paths,
+                       const std::vector<std::string> &file_entries) const
   {
     std::ostringstream text;
     const auto         parts = split(subsection, paths);
@@ -573,7 +590,13 @@ namespace Tribody
       {
         for (const std::string &name : assignment.subsections)
           text << "subsection " << name << '\n';
-        text << "  set " << assignment.name << " = " << assignment.value
+        const bool is_file = std::find(file_entries.begin(),
+                                       file_entries.end(),
+                                       assignment.name) != file_entries.end();
+        text << "  set " << assignment.name << " = "
+             << (is_file
+                   ? full_path(beside(assignment.location, assignment.value))
+                   : assignment.value)
              << '\n';
         for (std::size_t i = 0; i < assignment.subsections.size(); ++i)
           text << "end\n";

@@ -230,6 +230,16 @@ namespace Tribody
     void
     BushingParameters::add_parameters(dealii::ParameterHandler &prm)
     {
+      Parameters::add_text(
+        prm,
+        "Duty cycle file",
+        duty_cycle_file,
+        "A table (CSV) of the loads over a cycle, from a rig or another "
+        "program; then there is no mechanism, and the forces do not follow the "
+        "wear. Columns with units: 'time', 'force_x' and 'force_y' of the pin "
+        "on the bushing in the bushing's axes, or 'force' and 'force_angle', "
+        "and 'pin_angle', that of the pin in the bushing; or a duty cycle of "
+        "this program. Relative to the directory of the parameter file.");
       add_ring(prm, *this);
       add_pin(prm, *this);
       add_elements(prm, *this);

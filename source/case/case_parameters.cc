@@ -13,6 +13,7 @@
 #include <tribody/base/units.h>
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
+#include <tribody/case/given_duty_cycle.h>
 #include <tribody/case/repetition.h>
 #include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
@@ -416,35 +417,43 @@ namespace Tribody
                          const CaseParameters     &parameters,
                          dealii::ParameterHandler &prm)
       {
+        const auto set_full_path = [&](const std::vector<std::string> &path,
+                                       const std::string              &entry) {
+          for (const std::string &subsection : path)
+            prm.enter_subsection(subsection);
+          prm.set(entry,
+                  full_path(file.file_named_by(
+                    boost::algorithm::join(path, "/") + "/" + entry)));
+          for (std::size_t i = 0; i < path.size(); ++i)
+            prm.leave_subsection();
+        };
         for (const BushingParameters &bushing : parameters.bushings)
-          if (bushing.mesh_file.is_given())
-            {
-              const std::string subsection = "Bushing " + bushing.name;
-              std::error_code   error;
-              const std::filesystem::path absolute = std::filesystem::absolute(
-                file.file_named_by(subsection + "/Mesh/File"), error);
-              if (error)
-                continue;
-              prm.enter_subsection(subsection);
-              prm.enter_subsection("Mesh");
-              prm.set("File", absolute.lexically_normal().string());
-              prm.leave_subsection();
-              prm.leave_subsection();
-            }
+          {
+            const std::string subsection = "Bushing " + bushing.name;
+            if (bushing.mesh_file.is_given())
+              set_full_path({subsection, "Mesh"}, "File");
+            if (!bushing.duty_cycle_file.empty())
+              set_full_path({subsection}, "Duty cycle file");
+          }
         return print(prm);
       }
 
 
 
-      // Mesh files are named relative to the parameter file that names them,
-      // or to the current directory on the command line.
+      // Files are named relative to the parameter file that names them, or to
+      // the current directory on the command line.
       void
-      resolve_mesh_files(const ParameterFile &file, CaseParameters &parameters)
+      resolve_files(const ParameterFile &file, CaseParameters &parameters)
       {
         for (BushingParameters &bushing : parameters.bushings)
-          if (bushing.mesh_file.is_given())
-            bushing.mesh_file.name =
-              file.file_named_by("Bushing " + bushing.name + "/Mesh/File");
+          {
+            const std::string path = "Bushing " + bushing.name;
+            if (bushing.mesh_file.is_given())
+              bushing.mesh_file.name = file.file_named_by(path + "/Mesh/File");
+            if (!bushing.duty_cycle_file.empty())
+              bushing.duty_cycle_file =
+                file.file_named_by(path + "/Duty cycle file");
+          }
       }
 
 
@@ -488,6 +497,18 @@ namespace Tribody
                          parameters.mechanism.joints,
                          {"bodies", "drivers", "mechanism"});
         check_file_names("Load cases", parameters.load_cases);
+      }
+
+
+
+      bool
+      has_given_loads(const CaseParameters &parameters)
+      {
+        return std::any_of(parameters.bushings.begin(),
+                           parameters.bushings.end(),
+                           [](const BushingParameters &bushing) {
+                             return !bushing.duty_cycle_file.empty();
+                           });
       }
 
 
@@ -540,11 +561,13 @@ namespace Tribody
                     {"Mass", "Moment of inertia", "Markers"});
         for (const auto &joint : parameters.mechanism.joints)
           {
-            const std::string subsection = "Joint " + joint.name;
-            if (joint.is_revolute())
-              require(subsection, {"Pin marker", "Bushing marker"});
-            else
-              require(subsection, {"First marker", "Second marker"});
+            const std::string              subsection = "Joint " + joint.name;
+            const std::vector<std::string> of_pin     = {"Pin marker",
+                                                         "Bushing marker"},
+                                           of_others  = {"First marker",
+                                                         "Second marker"};
+            if (!has_given_loads(parameters))
+              require(subsection, joint.is_revolute() ? of_pin : of_others);
             if (joint.has_gap())
               require(subsection, {"Pin radius", "Bushing radius"});
             if (joint.has_contact_law())
@@ -633,28 +656,41 @@ namespace Tribody
 
 
 
-      // Returns the time that a cycle takes [s].
-      double
-      check(const CaseParameters &parameters)
+      // Either all loads come from files, or a mechanism has them.
+      Multibody::DutyCycle
+      read_given_loads(const CaseParameters &parameters)
       {
-        for (const Material &material : parameters.materials)
-          material.check();
-        parameters.dynamics.check();
-        parameters.wear.check();
-        check_cycles_per_step(parameters);
-        parameters.mechanism.check();
-
+        std::vector<GivenLoads> loads;
         for (const BushingParameters &bushing : parameters.bushings)
-          bushing.check(parameters.joint(bushing.name));
+          {
+            AssertThrow(!bushing.duty_cycle_file.empty(),
+                        ExcParameter("Bushing " + bushing.name +
+                                       "/Duty cycle file",
+                                     "is not set; where one bushing has its "
+                                     "loads from a file, all have"));
+            loads.push_back({bushing.name,
+                             bushing.duty_cycle_file,
+                             parameters.joint(bushing.name).bushing_radius});
+          }
+        AssertThrow(
+          parameters.mechanism.bodies.empty(),
+          ExcParameter("Bodies",
+                       "there is no mechanism where the loads of "
+                       "bushings come from a 'Duty cycle file'; leave "
+                       "bodies, drivers, springs and forces out"));
+        AssertThrow(parameters.mechanism.joints.size() == loads.size(),
+                    ExcParameter("Joints",
+                                 "where loads come from a 'Duty cycle file', "
+                                 "the joints are those of 'Bushings'"));
+        return read_duty_cycle(loads);
+      }
 
-        AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),
-                    ExcParameter("Cycles",
-                                 std::to_string(parameters.cycles) +
-                                   " cycles of wear need at least one entry "
-                                   "in 'Bushings'; 0 cycles need none"));
 
-        check_memory_of_case(parameters);
 
+      // Of the mechanism. Returns the time that a cycle takes [s].
+      double
+      check_mechanism(const CaseParameters &parameters)
+      {
         // Markers and bodies that joints, springs and drivers refer to, and
         // whether the mechanism can be assembled.
         const Multibody::Mechanism mechanism(
@@ -665,6 +701,33 @@ namespace Tribody
         if (parameters.cycles > 0)
           simulation.check_repetition();
         return simulation.duration();
+      }
+
+
+
+      void
+      check(const CaseParameters &parameters)
+      {
+        for (const Material &material : parameters.materials)
+          material.check();
+        parameters.dynamics.check();
+        parameters.wear.check();
+        check_cycles_per_step(parameters);
+        if (!has_given_loads(parameters))
+          parameters.mechanism.check();
+        for (const Multibody::JointParameters &joint :
+             parameters.mechanism.joints)
+          joint.check();
+        for (const BushingParameters &bushing : parameters.bushings)
+          bushing.check(parameters.joint(bushing.name));
+
+        AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),
+                    ExcParameter("Cycles",
+                                 std::to_string(parameters.cycles) +
+                                   " cycles of wear need at least one entry "
+                                   "in 'Bushings'; 0 cycles need none"));
+
+        check_memory_of_case(parameters);
       }
 
 
@@ -702,6 +765,21 @@ namespace Tribody
 
 
 
+      // With what the parameters have for it.
+      void
+      complete(LoadCase &load_case, const CaseParameters &parameters)
+      {
+        load_case.mechanism = parameters.mechanism;
+        load_case.dynamics  = parameters.dynamics;
+        if (has_given_loads(parameters))
+          load_case.given_duty_cycle = read_given_loads(parameters);
+        load_case.period = load_case.given_duty_cycle
+                             ? load_case.given_duty_cycle->period
+                             : check_mechanism(parameters);
+      }
+
+
+
       // One load case of the file, or all of it if there are none: read,
       // resolved and checked. The file is as this case has it.
       CaseParameters
@@ -725,17 +803,13 @@ namespace Tribody
             apply_scheme(parameters);
             check_required(file, parameters);
             resolve_materials(parameters);
-            resolve_mesh_files(file, parameters);
-            const double period = check(parameters);
+            resolve_files(file, parameters);
+            check(parameters);
             if (name.empty())
               parameters.load_cases.emplace_back();
             for (LoadCase &load_case : parameters.load_cases)
               if (load_case.name == name)
-                {
-                  load_case.mechanism = parameters.mechanism;
-                  load_case.dynamics  = parameters.dynamics;
-                  load_case.period    = period;
-                }
+                complete(load_case, parameters);
           }
         catch (const ExcParameter &exception)
           {

@@ -75,6 +75,8 @@ namespace Tribody
         };
         if (is("Joint"))
           return may_differ_in_joint(entry);
+        if (is("Bushing"))
+          return entry == "Duty cycle file";
         if (is("Body"))
           return entry != "Markers";
         return subsection == "Dynamics" || is("Driver") || is("Force") ||
@@ -98,7 +100,8 @@ namespace Tribody
                         " is the same in all load cases. What may differ are "
                         "'Gravity', masses and starts of bodies, friction and "
                         "damping of joints, springs, drivers, forces, torques, "
-                        "'Dynamics', and the 'Wear coefficient factor'"));
+                        "'Dynamics', the 'Duty cycle file' of bushings, and "
+                        "the 'Wear coefficient factor'"));
         return paths;
       }
 
@@ -234,7 +237,9 @@ namespace Tribody
       for (const std::string &name : names)
         {
           const std::string subsection = "Load case " + name;
-          text += file.print(subsection, repeated_paths(file, subsection));
+          text += file.print(subsection,
+                             repeated_paths(file, subsection),
+                             {"Duty cycle file", "Table"});
         }
       return text;
     }

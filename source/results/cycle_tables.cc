@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <tribody/base/table_writer.h>
 #include <tribody/base/units.h>
 #include <tribody/results/cycle_tables.h>
+#include <tribody/tables/table_writer.h>
 
 #include <cmath>
 #include <string>

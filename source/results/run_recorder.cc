@@ -231,7 +231,8 @@ namespace Tribody
                              state.duty_cycles[i],
                              load_case.name,
                              n_outputs);
-          write_mechanism(i, state.duty_cycles[i]);
+          if (mechanisms[i] != nullptr)
+            write_mechanism(i, state.duty_cycles[i]);
         }
       for (std::size_t j = 0; j < bushings.size(); ++j)
         {

@@ -11,7 +11,6 @@
 #include <tribody/base/units.h>
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/bushing/mesh_resolution.h>
-#include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
@@ -32,33 +31,6 @@ namespace Tribody
   {
     namespace
     {
-      // What 'Energy balance = without wear', 'Joint motion = automatic',
-      // 'Accuracy' and 'Sampling tolerance' mean here.
-      Multibody::DynamicsParameters
-      make_dynamics_parameters(const CaseParameters &parameters,
-                               const LoadCase       &load_case)
-      {
-        Multibody::DynamicsParameters dynamics = load_case.dynamics;
-        if (dynamics.energy_balance == Multibody::EnergyBalance::without_wear)
-          dynamics.energy_balance = parameters.cycles == 0
-                                      ? Multibody::EnergyBalance::always
-                                      : Multibody::EnergyBalance::never;
-        // Energies ask more of the motion than wear does.
-        if (dynamics.accuracy == 0. &&
-            dynamics.energy_balance == Multibody::EnergyBalance::always)
-          dynamics.accuracy = Multibody::DynamicsParameters().accuracy;
-        if (parameters.cycles > 0)
-          return dynamics;
-        dynamics.sampling_tolerance = 0.;
-        if (dynamics.accuracy == 0.)
-          dynamics.accuracy = Multibody::DynamicsParameters().accuracy;
-        if (dynamics.joint_motion == Multibody::JointMotion::automatic)
-          dynamics.joint_motion = Multibody::JointMotion::dynamic;
-        return dynamics;
-      }
-
-
-
       // Where they are more than those of the joints: a ring in a housing
       // follows the pin until it touches that.
       Multibody::CycleSimulation::Clearances
@@ -101,35 +73,6 @@ namespace Tribody
 
 
 
-      // Where there are several, messages name the load case.
-      void
-      in_load_case(const LoadCase              &load_case,
-                   const std::function<void()> &action)
-      {
-        try
-          {
-            action();
-          }
-        catch (const ExcRun &exception)
-          {
-            if (load_case.name.empty())
-              throw;
-            throw ExcRun(load_case.subsection() + ": " + message_of(exception));
-          }
-      }
-
-
-
-      void
-      name_load_case(const LoadCase &load_case, Multibody::DutyCycle &cycle)
-      {
-        std::string &message = cycle.settling.message;
-        if (!load_case.name.empty() && !message.empty())
-          message = "of load case " + load_case.name + " " + message;
-      }
-
-
-
       void
       print_load_cases(std::ostream &out, const CaseParameters &parameters)
       {
@@ -153,8 +96,7 @@ namespace Tribody
       {
         std::deque<OperatingCase> cases;
         for (const LoadCase &load_case : parameters.load_cases)
-          cases.emplace_back(load_case,
-                             make_dynamics_parameters(parameters, load_case));
+          cases.emplace_back(parameters, load_case);
         return cases;
       }
 
@@ -180,11 +122,10 @@ namespace Tribody
         std::vector<Multibody::DutyCycle> cycles(cases.size());
         Ranks::run_together(communicator, [&]() {
           for (std::size_t i = 0; i < cases.size(); ++i)
-            in_load_case(parameters.load_cases[i], [&]() {
-              cycles[i] =
-                cases[i].dynamics.run(make_unworn_clearances(parameters),
-                                      make_unworn_supports(parameters));
-            });
+            cycles[i] = cases[i].run(make_unworn_clearances(parameters),
+                                     make_unworn_supports(parameters),
+                                     {},
+                                     nullptr);
         });
         for (Multibody::DutyCycle &cycle : cycles)
           take_forces_of_first_rank(cycle, communicator);
@@ -250,14 +191,6 @@ namespace Tribody
 
 
 
-    OperatingCase::OperatingCase(const LoadCase                      &load_case,
-                                 const Multibody::DynamicsParameters &dynamics)
-      : mechanism(Multibody::count_redundant_constraints(load_case.mechanism))
-      , dynamics(mechanism, dynamics)
-    {}
-
-
-
     WearSimulation::WearSimulation(const CaseParameters &parameters,
                                    Console              &console,
                                    const MPI_Comm       &communicator)
@@ -283,12 +216,17 @@ namespace Tribody
         [&out](const std::size_t n, const char *one, const char *many) {
           out << n << ' ' << (n == 1 ? one : many);
         };
-      out << "Mechanism: ";
-      count(parameters.mechanism.bodies.size(), "body, ", "bodies, ");
-      count(parameters.mechanism.joints.size(), "joint, ", "joints, ");
-      count(cases.front().mechanism.n_degrees_of_freedom(),
-            "degree of freedom",
-            "degrees of freedom");
+      if (cases.front().mechanism() == nullptr)
+        out << "Loads from files, no mechanism";
+      else
+        {
+          out << "Mechanism: ";
+          count(parameters.mechanism.bodies.size(), "body, ", "bodies, ");
+          count(parameters.mechanism.joints.size(), "joint, ", "joints, ");
+          count(cases.front().mechanism()->n_degrees_of_freedom(),
+                "degree of freedom",
+                "degrees of freedom");
+        }
       out << std::endl;
       print_load_cases(out, parameters);
       for (const WearingBushing &bushing : process.bushings())
@@ -321,6 +259,11 @@ namespace Tribody
           run_dynamics();
           solve_contacts();
         }
+      else if (cases.size() > 1)
+        {
+          process.thin_out_loads();
+          solve_contacts();
+        }
       if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
           !process.bushings().empty())
         on_coarse_meshes([this]() {
@@ -337,7 +280,9 @@ namespace Tribody
       for (std::size_t i = 0; i < cases.size(); ++i)
         {
           const double tolerance =
-            parameters.load_cases[i].dynamics.sampling_tolerance;
+            cases[i].mechanism() == nullptr
+              ? 0.
+              : parameters.load_cases[i].dynamics.sampling_tolerance;
           for (std::size_t j = 0; j < state().joints.size(); ++j)
             if (tolerance > 0. && state()
                                       .duty_cycles[i]
@@ -445,7 +390,7 @@ namespace Tribody
     {
       std::vector<const Multibody::Mechanism *> mechanisms;
       for (const OperatingCase &operating_case : cases)
-        mechanisms.push_back(&operating_case.mechanism);
+        mechanisms.push_back(operating_case.mechanism());
       RunRecorder recorder(
         parameters, mechanisms, directory, console, communicator);
       Ranks::run_together(communicator, [&]() { recorder.start(); });
@@ -651,12 +596,8 @@ namespace Tribody
           {
             const Multibody::DutyCycle before = cycles[i];
             Ranks::run_together(communicator, [&]() {
-              in_load_case(parameters.load_cases[i], [&]() {
-                cycles[i] =
-                  cases[i].dynamics.run(clearances, supports, arcs, &before);
-              });
+              cycles[i] = cases[i].run(clearances, supports, arcs, &before);
             });
-            name_load_case(parameters.load_cases[i], cycles[i]);
             take_forces_of_first_rank(cycles[i], communicator);
           }
 

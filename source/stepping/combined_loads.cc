@@ -15,6 +15,37 @@ namespace Tribody
         target.conservativeResize(n + part.size());
         target.tail(part.size()) = part;
       }
+
+
+
+      // The loads at these places.
+      Multibody::BearingLoads
+      select(const Multibody::BearingLoads   &loads,
+             const std::vector<Eigen::Index> &places)
+      {
+        return {loads.normal_force(places),
+                loads.contact_angle_bushing(places),
+                loads.contact_angle_pin(places),
+                loads.sliding_increment(places),
+                loads.sliding_speed(places)};
+      }
+
+
+
+      Multibody::BearingLoads
+      every_second(const Multibody::BearingLoads &loads)
+      {
+        const Eigen::Index        n = loads.size();
+        std::vector<Eigen::Index> kept;
+        for (Eigen::Index i = 0; i < n; i += 2)
+          kept.push_back(i);
+        Multibody::BearingLoads result = select(loads, kept);
+        for (Eigen::Index i = 0; i < n; i += 2)
+          result.sliding_increment[i / 2] +=
+            0.5 * (loads.sliding_increment[(i + n - 1) % n] +
+                   loads.sliding_increment[i + 1]);
+        return result;
+      }
     } // namespace
 
 
@@ -38,6 +69,37 @@ namespace Tribody
                    Eigen::VectorXd::Constant(loads.size(), wear_factors[i]));
           }
       return all;
+    }
+
+
+
+    Multibody::BearingLoads
+    thin_out(const Multibody::BearingLoads &loads,
+             const double                   reach,
+             const double                   tolerance)
+    {
+      constexpr Eigen::Index      fewest = 8;
+      const Multibody::WearSpread wanted = loads.spread(reach);
+      Multibody::BearingLoads     thin   = loads;
+      while (thin.size() % 2 == 0 && thin.size() >= 2 * fewest)
+        {
+          const Multibody::BearingLoads thinner = every_second(thin);
+          if (thinner.spread(reach).difference(wanted) > tolerance)
+            break;
+          thin = thinner;
+        }
+      if (thin.size() == loads.size())
+        return loads;
+      Eigen::Index largest;
+      loads.normal_force.maxCoeff(&largest);
+      Multibody::BearingLoads peak = select(loads, {largest});
+      peak.sliding_increment.setZero();
+      append(thin.normal_force, peak.normal_force);
+      append(thin.contact_angle_bushing, peak.contact_angle_bushing);
+      append(thin.contact_angle_pin, peak.contact_angle_pin);
+      append(thin.sliding_increment, peak.sliding_increment);
+      append(thin.sliding_speed, peak.sliding_speed);
+      return thin;
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -75,10 +75,6 @@ namespace Tribody
       const std::vector<Multibody::DutyCycle> &cycles,
       const Eigen::VectorXd                   &shares)
     {
-      // Of the wear in all. Where it is deepest it may change by several times
-      // as much, which is part of the estimated error.
-      constexpr double merging_tolerance = 2e-4;
-
       AssertDimension(cycles.size(), factors.size());
       std::vector<bool> was_quasi_static;
       for (std::size_t i = 0; i < cycles.size(); ++i)
@@ -100,15 +96,55 @@ namespace Tribody
           joint.depth_at_dynamics = joint.depth;
           joint.loads_of_cases.clear();
           for (const Multibody::DutyCycle &cycle : cycles)
-            joint.loads_of_cases.push_back(
-              merge_cycles(cycle.joint(joint_bushings[j].name()),
-                           cycle.settling.n_averaged_cycles,
-                           merging_tolerance));
+            joint.loads_of_cases.push_back(make_loads(cycle, j));
           joint.loads = combine_loads(joint.loads_of_cases, shares, factors);
         }
       for (std::size_t i = 0; i < cycles.size(); ++i)
         if (shares[i] > 0.)
           add_to_dynamics_totals(cycles[i], was_quasi_static[i]);
+    }
+
+
+
+    Multibody::BearingLoads
+    WearProcess::make_loads(const Multibody::DutyCycle &cycle,
+                            const std::size_t           j) const
+    {
+      // Of the wear in all. Where it is deepest it may change by several times
+      // as much, which is part of the estimated error.
+      constexpr double merging_tolerance = 2e-4;
+      // Of the wear where it is deepest; likewise.
+      constexpr double thinning_tolerance = 1e-4;
+
+      const unsigned int            n_cycles = cycle.settling.n_averaged_cycles;
+      const CycleContact           &contact  = run_state.joints[j].contact;
+      const Multibody::BearingLoads loads =
+        merge_cycles(cycle.joint(joint_bushings[j].name()),
+                     n_cycles,
+                     merging_tolerance);
+      if (factors.size() == 1 || n_cycles > 1 || contact.samples.empty())
+        return loads;
+      // Smaller forces have narrower contacts.
+      const double part = loads.mean_normal_force() /
+                          run_state.joints[j].loads.normal_force.maxCoeff();
+      return thin_out(loads,
+                      reach_of(contact) * std::sqrt(std::min(1., part)),
+                      thinning_tolerance);
+    }
+
+
+
+    void
+    WearProcess::thin_out_loads()
+    {
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        {
+          JointState &joint = run_state.joints[j];
+          for (std::size_t i = 0; i < factors.size(); ++i)
+            joint.loads_of_cases[i] = make_loads(run_state.duty_cycles[i], j);
+          joint.loads =
+            combine_loads(joint.loads_of_cases, run_state.shares, factors);
+        }
     }
 
 

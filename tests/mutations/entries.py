@@ -147,6 +147,7 @@ TABLE = {
         "Density": "kg m-3",
     },
     "Bushing": {
+        "Duty cycle file": "text",
         "Axial length": "m",
         "Outer radius": "m",
         "Plane state": "word",

@@ -6,8 +6,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <tribody/base/exceptions.h>
-#include <tribody/base/table_writer.h>
 #include <tribody/output/output_directory.h>
+#include <tribody/tables/table_writer.h>
 
 #include <filesystem>
 #include <fstream>

@@ -57,6 +57,7 @@ ALLOWED["bushing"] = {
     "output",
     "surface",
     "algebra",
+    "tables",
     "base",
 }
 ALLOWED["stepping"] = {"bushing", "multibody/cycle", "wear", "base"}
@@ -69,6 +70,7 @@ ALLOWED["case"] = {
     "multibody/assembly",
     "multibody/motion",
     "multibody/cycle",
+    "tables",
     "base",
 }
 ALLOWED["results"] = BELOW_BUSHING | {"bushing", "stepping", "case"}

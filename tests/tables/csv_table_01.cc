@@ -5,8 +5,8 @@
 // and what is refused, with the line.
 
 #include <tribody/base/exceptions.h>
-#include <tribody/base/table_writer.h>
 #include <tribody/tables/csv_table.h>
+#include <tribody/tables/table_writer.h>
 
 #include <cmath>
 #include <fstream>

@@ -100,9 +100,11 @@ namespace Tribody
 
     /// The assignments to these parameters of @p subsection as a parameter
     /// file has them.
+    /// @param file_entries parameters that name files; these get full paths.
     std::string
     print(const std::string              &subsection,
-          const std::vector<std::string> &paths) const;
+          const std::vector<std::string> &paths,
+          const std::vector<std::string> &file_entries = {}) const;
 
   private:
     struct Assignment
@@ -158,6 +160,10 @@ namespace Tribody
     // and the first one in a subsection.
     std::map<std::string, std::size_t> last_of_path, first_of_subsection;
   };
+
+  /// From anywhere; @p file_name itself if the current directory is gone.
+  std::string
+  full_path(const std::string &file_name);
 
   /**
    * The entries of @p candidates nearest to @p word in edit distance, as

@@ -100,6 +100,8 @@ namespace Tribody
     {
       /// Name of the joint that the bushing belongs to.
       std::string name;
+      /// Loads from elsewhere; empty: those of the mechanism.
+      std::string duty_cycle_file;
       /// Length along the axis of the joint [m].
       double axial_length = 10e-3;
       /// Radius of the rim, or its semi-axis along x [m].

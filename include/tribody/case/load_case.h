@@ -4,10 +4,12 @@
 #define tribody_case_load_case_h
 
 #include <tribody/base/parameter_file.h>
+#include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/multibody/motion/dynamics_parameters.h>
 #include <tribody/multibody/system/mechanism_parameters.h>
 #include <tribody/stepping/spectrum.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,8 @@ namespace Tribody
       Multibody::MechanismParameters mechanism;
       /// Of one cycle [s].
       double period = 0.;
+      /// If the loads of its joints come from files: instead of a mechanism.
+      std::optional<Multibody::DutyCycle> given_duty_cycle;
       /// How its motion is computed.
       Multibody::DynamicsParameters dynamics;
 

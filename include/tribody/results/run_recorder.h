@@ -4,11 +4,11 @@
 #define tribody_results_run_recorder_h
 
 #include <tribody/base/console.h>
-#include <tribody/base/table_writer.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/multibody/system/mechanism.h>
 #include <tribody/output/output_directory.h>
 #include <tribody/stepping/run_state.h>
+#include <tribody/tables/table_writer.h>
 
 #include <chrono>
 #include <ctime>
@@ -33,7 +33,8 @@ namespace Tribody
       /// Nothing is written before start(), and by the first rank of
       /// @p communicator, but for meshes that the ranks share. All of them
       /// must call record() and record_fields() together.
-      /// @param mechanisms of the load cases; they must outlive this object.
+      /// @param mechanisms of the load cases, null pointers where there is
+      ///   none; they must outlive this object.
       RunRecorder(const CaseParameters                            &parameters,
                   const std::vector<const Multibody::Mechanism *> &mechanisms,
                   Output::OutputDirectory                         &directory,

@@ -7,11 +7,10 @@
 
 #include <tribody/base/console.h>
 #include <tribody/case/case_parameters.h>
-#include <tribody/multibody/cycle/cycle_simulation.h>
-#include <tribody/multibody/system/mechanism.h>
 #include <tribody/output/output_directory.h>
 #include <tribody/results/run_recorder.h>
 #include <tribody/results/run_results.h>
+#include <tribody/run/operating_case.h>
 #include <tribody/stepping/coarse_run.h>
 #include <tribody/stepping/wear_process.h>
 
@@ -27,20 +26,6 @@ namespace Tribody
 {
   namespace Coupling
   {
-    /// A load case with its mechanism, whose motion can be computed.
-    struct OperatingCase
-    {
-      /// @throws ExcRun if the mechanism cannot be assembled.
-      OperatingCase(const LoadCase                      &load_case,
-                    const Multibody::DynamicsParameters &dynamics);
-
-      /// The bodies and joints of all cases, with the drivers and forces of
-      /// this one.
-      Multibody::Mechanism mechanism;
-      /// Refers to the mechanism.
-      Multibody::CycleSimulation dynamics;
-    };
-
     /**
      * The chain: dynamics of one cycle, contact pressure in the bushings,
      * Archard's law, extrapolation over many cycles, worn geometry, and round

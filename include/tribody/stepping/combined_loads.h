@@ -24,6 +24,21 @@ namespace Tribody
     combine_loads(const std::vector<Multibody::BearingLoads> &loads_of_cases,
                   const Eigen::VectorXd                      &shares,
                   const std::vector<double>                  &wear_factors);
+
+    /**
+     * The loads of a cycle, but only every second, fourth, ... of them, with
+     * the sliding of those that are left out divided among their neighbours, as
+     * few as the wear needs: where it is deepest it changes by no more than @p
+     * tolerance [-], if it spreads over @p reach [rad] to either side of a
+     * force (BearingLoads::spread()). Smooth loads need few: the sum over a
+     * period converges faster than any power of their number. Last comes the
+     * largest load of all with no sliding, for the largest pressure. Unchanged
+     * if there is nothing to leave out.
+     */
+    Multibody::BearingLoads
+    thin_out(const Multibody::BearingLoads &loads,
+             const double                   reach,
+             const double                   tolerance);
   } // namespace Coupling
 } // namespace Tribody
 

@@ -85,6 +85,12 @@ namespace Tribody
         return factors;
       }
 
+      /// Leave out the samples of several load cases that the wear does not
+      /// need, now that the arcs of contact are known; contacts must be solved
+      /// anew. One load case keeps its samples.
+      void
+      thin_out_loads();
+
       /// Whether a profile has changed by more than 'Dynamics update' of the
       /// clearance since the duty cycle was renewed.
       bool
@@ -138,6 +144,10 @@ namespace Tribody
 
       void
       count_rate_evaluations(const unsigned int n);
+
+      // The loads of a load case that the wear of the joint needs.
+      Multibody::BearingLoads
+      make_loads(const Multibody::DutyCycle &cycle, const std::size_t j) const;
 
       // Checks of the duty cycle of one load case.
       void

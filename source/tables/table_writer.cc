@@ -3,8 +3,8 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include <tribody/base/exceptions.h>
-#include <tribody/base/table_writer.h>
 #include <tribody/base/whole_file.h>
+#include <tribody/tables/table_writer.h>
 
 #include <cerrno>
 #include <limits>

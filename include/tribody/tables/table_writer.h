@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_base_table_writer_h
-#define tribody_base_table_writer_h
+#ifndef tribody_tables_table_writer_h
+#define tribody_tables_table_writer_h
 
 #include <fstream>
 #include <sstream>
