@@ -37,6 +37,7 @@ namespace Tribody
         std::string              kind;
         std::string              documentation;
         std::vector<std::string> names;
+        NameKind                 name_kind = NameKind::thing;
       };
 
       // The lists that decide which subsections exist, with the names that
@@ -86,7 +87,18 @@ namespace Tribody
            "Names of the joints with clearance whose bushing deforms and "
            "wears; "
            "each has a subsection 'Bushing <name of the joint>'.",
-           {"joint"}}};
+           {"joint"}},
+          {"Watched markers",
+           "Watched marker",
+           "Markers, '<body>.<marker>', whose paths over the cycle are "
+           "compared "
+           "with those of the mechanism with ideal joints: what backlash means "
+           "at the tool. The ideal motion is the one that drivers prescribe at "
+           "the same times, or static equilibrium; other degrees of freedom "
+           "must not be left. Each marker has a subsection 'Watched marker "
+           "<body>.<marker>'.",
+           {"body.O"},
+           NameKind::marker}};
       }
 
 
@@ -128,7 +140,8 @@ namespace Tribody
         for (NameList &list : lists)
           try
             {
-              list.names = split_names(file.value(list.list, ""));
+              list.names =
+                split_names(file.value(list.list, ""), list.name_kind);
             }
           catch (const ExcInput &exception)
             {
@@ -192,7 +205,8 @@ namespace Tribody
                                 0,
                                 999999999);
         for (NameList &list : lists)
-          Parameters::add_names(prm, list.list, list.names, list.documentation);
+          Parameters::add_names(
+            prm, list.list, list.names, list.documentation, list.name_kind);
         Parameters::add_point(prm,
                               "Gravity",
                               parameters.mechanism.gravity,
@@ -214,6 +228,10 @@ namespace Tribody
         declare_each(prm, lists, "Torque", parameters.mechanism.torques);
         declare_each(prm, lists, "Material", parameters.materials);
         declare_each(prm, lists, "Bushing", parameters.bushings);
+        declare_each(prm,
+                     lists,
+                     "Watched marker",
+                     parameters.mechanism.watched_markers);
 
         prm.enter_subsection("Dynamics");
         parameters.dynamics.add_parameters(prm);
@@ -656,9 +674,12 @@ namespace Tribody
         {
           check_file_names("Bodies", parameters.mechanism.bodies);
           check_file_names("Drivers", parameters.mechanism.drivers);
-          check_file_names("Joints",
-                           parameters.mechanism.joints,
-                           {"bodies", "drivers", "mechanism"});
+          check_file_names(
+            "Joints",
+            parameters.mechanism.joints,
+            {"bodies", "drivers", "mechanism", "watched_markers"});
+          check_file_names("Watched markers",
+                           parameters.mechanism.watched_markers);
           check_bushing_joints(parameters);
           apply_scheme(parameters);
           check_required(file, parameters);

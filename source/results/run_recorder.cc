@@ -216,6 +216,10 @@ namespace Tribody
                                    "pin_max_wear_depth [m]",
                                    "pin_worn_volume [m^3]"})
           columns.push_back(bushing.name + " " + column);
+      for (const auto &marker : parameters.mechanism.watched_markers)
+        for (const char *column :
+             {"largest_deviation [m]", "rms_deviation [m]"})
+          columns.push_back(marker.name + " " + column);
       history = std::make_unique<TableWriter>(
         file_name,
         std::vector<std::string>(
@@ -261,6 +265,8 @@ namespace Tribody
                         : 0.,
                       bushing.pin_worn_volume()});
         }
+      for (const Multibody::WatchedPath &path : state.duty_cycle.watched_paths)
+        row.insert(row.end(), {path.largest_deviation(), path.rms_deviation()});
       history->write_row(row);
     }
 

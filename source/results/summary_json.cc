@@ -227,6 +227,18 @@ namespace Tribody
 
 
 
+      Json
+      watched_path_to_json(const Multibody::WatchedPath &path,
+                           const Multibody::DutyCycle   &cycle)
+      {
+        return {{"largest_deviation_m", path.largest_deviation()},
+                {"largest_deviation_phase_deg",
+                 cycle.phase[path.largest_sample()]},
+                {"rms_deviation_m", path.rms_deviation()}};
+      }
+
+
+
       // What the mesh does to the bushings, as far as it is known.
       Json
       mesh_errors_to_json(const RunResults &results)
@@ -344,6 +356,9 @@ namespace Tribody
       for (std::size_t j = 0; j < state.duty_cycle.joints.size(); ++j)
         json["joints"][state.duty_cycle.joints[j].name] =
           joint_to_json(parameters, results, j);
+      for (const Multibody::WatchedPath &path : state.duty_cycle.watched_paths)
+        json["watched_markers"][path.name] =
+          watched_path_to_json(path, state.duty_cycle);
 
       // Text from the parameter file may be in any encoding.
       const std::string text =

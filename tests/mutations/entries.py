@@ -23,6 +23,7 @@ NAMED = (
     "Torque",
     "Material",
     "Bushing",
+    "Watched marker",
 )
 
 #: Kind of subsection -> entry -> kind of value. 'Bushing/Mesh' is one in another.
@@ -40,6 +41,7 @@ TABLE = {
         "Torques": "names",
         "Materials": "names",
         "Bushings": "names",
+        "Watched markers": "names",
     },
     "Ground": {"Markers": "markers"},
     "Body": {
@@ -164,6 +166,7 @@ TABLE = {
         "Foundation tangential stiffness": "kg m-2 s-2",
         "Housing gap": "m",
     },
+    "Watched marker": {"Stop at deviation": "m"},
     "Bushing/Mesh": {
         "Bore cells": "integer",
         "Radial cells": "integer",
