@@ -81,13 +81,28 @@ namespace Tribody
 
 
     // The declared parameters and subsections as a tree. ParameterHandler
-    // shows it only by printing.
+    // shows it only by printing; in its JSON a dot in a name, "Watched marker
+    // slider.B", is a level more.
     nlohmann::json
     declared_tree(dealii::ParameterHandler &prm)
     {
+      const std::string subsection = "subsection ", entry = "set ";
       std::stringstream stream;
-      prm.print_parameters(stream, dealii::ParameterHandler::ShortJSON);
-      return nlohmann::json::parse(stream);
+      prm.print_parameters(stream, dealii::ParameterHandler::ShortPRM);
+      nlohmann::json                tree = nlohmann::json::object();
+      std::vector<nlohmann::json *> open = {&tree};
+      for (std::string line; std::getline(stream, line);)
+        {
+          boost::algorithm::trim(line);
+          if (boost::algorithm::starts_with(line, subsection))
+            open.push_back(&(*open.back())[line.substr(subsection.size())]);
+          else if (line == "end")
+            open.pop_back();
+          else if (boost::algorithm::starts_with(line, entry))
+            (*open.back())[boost::algorithm::trim_copy(
+              line.substr(entry.size(), line.find('=') - entry.size()))] = "";
+        }
+      return tree;
     }
 
 

@@ -66,6 +66,19 @@ namespace Tribody
                            "digits, '_', '-' and '+', at most " +
                            std::to_string(max_name_length) + " of them"));
     }
+
+
+
+    void
+    check_marker_name(const std::string &name)
+    {
+      const std::string::size_type dot = name.find('.');
+      AssertThrow(dot != std::string::npos,
+                  ExcInput(in_quotes(name) +
+                           " is not a marker; write <body>.<marker>"));
+      check_name(name.substr(0, dot));
+      check_name(name.substr(dot + 1));
+    }
   } // namespace
 
 
@@ -167,14 +180,15 @@ namespace Tribody
   Parameters::add_names(dealii::ParameterHandler &prm,
                         const std::string        &name,
                         std::vector<std::string> &value,
-                        const std::string        &documentation)
+                        const std::string        &documentation,
+                        const NameKind            kind)
   {
     prm.declare_entry(name,
                       boost::algorithm::join(value, ", "),
                       dealii::Patterns::Anything(),
                       documentation);
-    prm.add_action(name, [&value](const std::string &text) {
-      value = split_names(text);
+    prm.add_action(name, [&value, kind](const std::string &text) {
+      value = split_names(text, kind);
     });
   }
 
@@ -242,7 +256,7 @@ namespace Tribody
 
 
   std::vector<std::string>
-  split_names(const std::string &text)
+  split_names(const std::string &text, const NameKind kind)
   {
     std::vector<std::string> parts;
     boost::algorithm::split(parts, text, boost::algorithm::is_any_of(","));
@@ -253,7 +267,7 @@ namespace Tribody
         boost::algorithm::trim(part);
         if (part.empty())
           continue;
-        check_name(part);
+        kind == NameKind::marker ? check_marker_name(part) : check_name(part);
         AssertThrow(std::find(names.begin(), names.end(), part) == names.end(),
                     ExcInput("the name " + in_quotes(part) +
                              " is given twice"));

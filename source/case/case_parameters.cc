@@ -45,6 +45,7 @@ namespace Tribody
         std::string              kind;
         std::string              documentation;
         std::vector<std::string> names;
+        NameKind                 name_kind = NameKind::thing;
       };
 
       // The lists that decide which subsections exist, with the names that
@@ -101,7 +102,18 @@ namespace Tribody
            "subsection 'Load case <name>' that says how often, and repeats "
            "other subsections with the entries that differ. None: one "
            "condition all the time.",
-           {"load_case"}}};
+           {"load_case"}},
+          {"Watched markers",
+           "Watched marker",
+           "Markers, '<body>.<marker>', whose paths over the cycle are "
+           "compared "
+           "with those of the mechanism with ideal joints: what backlash means "
+           "at the tool. The ideal motion is the one that drivers prescribe at "
+           "the same times, or static equilibrium; other degrees of freedom "
+           "must not be left. Each marker has a subsection 'Watched marker "
+           "<body>.<marker>'.",
+           {"body.O"},
+           NameKind::marker}};
       }
 
 
@@ -143,7 +155,8 @@ namespace Tribody
         for (NameList &list : lists)
           try
             {
-              list.names = split_names(file.value(list.list, ""));
+              list.names =
+                split_names(file.value(list.list, ""), list.name_kind);
             }
           catch (const ExcInput &exception)
             {
@@ -239,7 +252,8 @@ namespace Tribody
                              "One line that says what the case is.");
         declare_duty(prm, parameters);
         for (NameList &list : lists)
-          Parameters::add_names(prm, list.list, list.names, list.documentation);
+          Parameters::add_names(
+            prm, list.list, list.names, list.documentation, list.name_kind);
         Parameters::add_point(prm,
                               "Gravity",
                               parameters.mechanism.gravity,
@@ -262,6 +276,10 @@ namespace Tribody
         declare_each(prm, lists, "Material", parameters.materials);
         declare_each(prm, lists, "Bushing", parameters.bushings);
         declare_each(prm, lists, "Load case", parameters.load_cases);
+        declare_each(prm,
+                     lists,
+                     "Watched marker",
+                     parameters.mechanism.watched_markers);
 
         prm.enter_subsection("Dynamics");
         parameters.dynamics.add_parameters(prm);
@@ -495,7 +513,9 @@ namespace Tribody
         check_file_names("Drivers", parameters.mechanism.drivers);
         check_file_names("Joints",
                          parameters.mechanism.joints,
-                         {"bodies", "drivers", "mechanism"});
+                         {"bodies", "drivers", "mechanism", "watched_markers"});
+        check_file_names("Watched markers",
+                         parameters.mechanism.watched_markers);
         check_file_names("Load cases", parameters.load_cases);
       }
 

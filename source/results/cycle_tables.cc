@@ -237,6 +237,37 @@ namespace Tribody
 
 
       void
+      write_watched_path(const std::string            &file_name,
+                         const Multibody::DutyCycle   &cycle,
+                         const Multibody::WatchedPath &path)
+      {
+        TableWriter table(file_name,
+                          {"Marker '" + path.name +
+                             "': its path in one settled cycle, beside the "
+                             "path with ideal joints at the same times.",
+                           "Positions in global axes. deviation: the distance "
+                           "between the two."},
+                          {"time [s]",
+                           "phase [deg]",
+                           "x [m]",
+                           "y [m]",
+                           "ideal_x [m]",
+                           "ideal_y [m]",
+                           "deviation [m]"});
+        for (Eigen::Index j = 0; j < cycle.time.size(); ++j)
+          table.write_row({cycle.time[j],
+                           cycle.phase[j],
+                           path.position(0, j),
+                           path.position(1, j),
+                           path.ideal(0, j),
+                           path.ideal(1, j),
+                           path.deviation[j]});
+        table.finish();
+      }
+
+
+
+      void
       write_energy(const std::string          &file_name,
                    const Multibody::DutyCycle &cycle)
       {
@@ -335,6 +366,11 @@ namespace Tribody
         write_driver(directory.joint_file("drivers", numbered(driver.name)),
                      cycle,
                      driver);
+      for (const Multibody::WatchedPath &path : cycle.watched_paths)
+        write_watched_path(directory.joint_file("watched_markers",
+                                                numbered(path.name)),
+                           cycle,
+                           path);
       write_energy(directory.file(numbered("energy")), cycle);
     }
   } // namespace Coupling

@@ -242,6 +242,31 @@ namespace Tribody
 
 
 
+      void
+      print_watched_paths(std::ostream               &out,
+                          const LoadCase             &load_case,
+                          const Multibody::DutyCycle &cycle)
+      {
+        for (const Multibody::WatchedPath &path : cycle.watched_paths)
+          {
+            // What Newton's method leaves in either position is no deviation.
+            const double noise = 1e-12 * path.position.cwiseAbs().maxCoeff();
+            out << "  " << path.name
+                << (load_case.name.empty() ? "" : ", load case ")
+                << load_case.name
+                << ": deviation from the path with ideal joints";
+            if (path.largest_deviation() > noise)
+              out << ", largest " << std::setprecision(4)
+                  << path.largest_deviation() * 1e3 << " mm at "
+                  << cycle.phase[path.largest_sample()] << " deg, rms "
+                  << path.rms_deviation() * 1e3 << " mm" << std::endl;
+            else
+              out << ": none" << std::endl;
+          }
+      }
+
+
+
       // Of a motion that does not repeat.
       void
       print_averages(std::ostream &out, const Multibody::DutyCycle &cycle)
@@ -523,6 +548,10 @@ namespace Tribody
           print_duty(out, parameters, results.state);
           print_joints(out, parameters, results, warnings);
         }
+      for (std::size_t i = 0; i < results.state.duty_cycles.size(); ++i)
+        print_watched_paths(out,
+                            parameters.load_cases[i],
+                            results.state.duty_cycles[i]);
       print_warnings(out, warnings, "");
       print_motion_and_costs(out, is_dynamics_only, results);
 

@@ -263,6 +263,10 @@ namespace Tribody
                                    "pin_worn_volume [m^3]",
                                    "sliding_distance [m]"})
           columns.push_back(bushing.name + " " + column);
+      for (const auto &marker : parameters.mechanism.watched_markers)
+        for (const char *column :
+             {"largest_deviation [m]", "rms_deviation [m]"})
+          columns.push_back(marker.name + " " + column);
       history = std::make_unique<TableWriter>(
         file_name,
         std::vector<std::string>(
@@ -307,6 +311,19 @@ namespace Tribody
                         : 0.,
                       bushing.pin_worn_volume(),
                       state.joints[j].totals.sliding_distance});
+        }
+      // The largest of all load cases.
+      for (std::size_t m = 0; m < parameters.mechanism.watched_markers.size();
+           ++m)
+        {
+          double largest = 0., rms = 0.;
+          for (const Multibody::DutyCycle &cycle : state.duty_cycles)
+            {
+              const Multibody::WatchedPath &path = cycle.watched_paths[m];
+              largest = std::max(largest, path.largest_deviation());
+              rms     = std::max(rms, path.rms_deviation());
+            }
+          row.insert(row.end(), {largest, rms});
         }
       history->write_row(row);
     }

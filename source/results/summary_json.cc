@@ -259,6 +259,28 @@ namespace Tribody
 
 
 
+      Json
+      watched_path_to_json(const Multibody::WatchedPath &path,
+                           const Multibody::DutyCycle   &cycle)
+      {
+        return {{"largest_deviation_m", path.largest_deviation()},
+                {"largest_deviation_phase_deg",
+                 cycle.phase[path.largest_sample()]},
+                {"rms_deviation_m", path.rms_deviation()}};
+      }
+
+
+
+      void
+      add_watched_paths_to_json(Json &json, const Multibody::DutyCycle &cycle)
+      {
+        for (const Multibody::WatchedPath &path : cycle.watched_paths)
+          json["watched_markers"][path.name] =
+            watched_path_to_json(path, cycle);
+      }
+
+
+
       // What the mesh does to the bushings, as far as it is known.
       Json
       mesh_errors_to_json(const RunResults &results)
@@ -346,6 +368,8 @@ namespace Tribody
         json["operating_time_s"] = state.operating_time;
         json["time_with_standstill_s"] =
           state.operating_time / parameters.operating_share;
+        if (state.duty_cycles.size() == 1)
+          add_watched_paths_to_json(json, state.duty_cycles.front());
         if (parameters.load_cases.size() < 2)
           return;
         if (parameters.spectrum.has_blocks)
@@ -363,6 +387,7 @@ namespace Tribody
                 add_duty_to_json(joint, parameters, results, cycle, j);
                 of_case["joints"][cycle.joints[j].name] = joint;
               }
+            add_watched_paths_to_json(of_case, cycle);
             json["load_cases"][parameters.load_cases[i].name] = of_case;
           }
       }

@@ -3,6 +3,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/foreign_exceptions.h>
 #include <tribody/base/interruption.h>
@@ -69,6 +71,8 @@ namespace Tribody
                                          &joint.eccentricity,
                                          &joint.penetration})
             Ranks::broadcast(*field, 0, communicator);
+        for (Multibody::WatchedPath &path : cycle.watched_paths)
+          Ranks::broadcast(path.deviation, 0, communicator);
       }
 
 
@@ -204,6 +208,7 @@ namespace Tribody
       , process(parameters.wear,
                 make_bushings(parameters, cases, communicator),
                 wear_factors(parameters))
+      , deviation_limits(parameters.mechanism.watched_markers)
     {}
 
 
@@ -264,6 +269,8 @@ namespace Tribody
           process.thin_out_loads();
           solve_contacts();
         }
+      if (!process.bushings().empty())
+        deviation_limits.check_start(state().duty_cycles);
       if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
           !process.bushings().empty())
         on_coarse_meshes([this]() {
@@ -307,6 +314,61 @@ namespace Tribody
     void
     WearSimulation::advance(const double end)
     {
+      if (!deviation_limits.are_set())
+        {
+          take_step(end);
+          return;
+        }
+      const RunState before = state();
+      take_step(end);
+      if (deviation_limits.excess(state().duty_cycles) >= 0.)
+        stop_at_deviation(before);
+    }
+
+
+
+    void
+    WearSimulation::stop_at_deviation(const RunState &before)
+    {
+      // Of the limit, and of the cycles: what a life need not be known better.
+      constexpr double tolerance = 1e-4;
+      RunState         reached   = state();
+      const double excess_before = deviation_limits.excess(before.duty_cycles);
+      const double excess_after  = deviation_limits.excess(reached.duty_cycles);
+      // Zero where that is near enough, which ends the search.
+      const auto excess_after_wear_to = [&](const double cycles) {
+        restore(before);
+        while (state().cycles < cycles && state().stopped_by.empty())
+          take_step(cycles);
+        const double excess  = deviation_limits.excess(state().duty_cycles);
+        const bool   is_near = std::abs(excess) <= tolerance;
+        if (is_near || (excess > 0. && state().cycles < reached.cycles))
+          reached = state();
+        return is_near ? 0. : excess;
+      };
+      if (excess_after > tolerance)
+        {
+          boost::uintmax_t max_iterations = 50;
+          boost::math::tools::toms748_solve(
+            excess_after_wear_to,
+            before.cycles,
+            reached.cycles,
+            excess_before,
+            excess_after,
+            [&](const double a, const double b) {
+              return std::abs(b - a) <= tolerance * std::abs(b);
+            },
+            max_iterations);
+          restore(reached);
+        }
+      process.set_stopped_by(deviation_limits.describe(state().duty_cycles));
+    }
+
+
+
+    void
+    WearSimulation::take_step(const double end)
+    {
       double kept_since = state().cycles;
       {
         dealii::TimerOutput::Scope scope(timer, "wear step");
@@ -316,7 +378,8 @@ namespace Tribody
       }
       if (coarse_run != nullptr)
         on_coarse_meshes([this]() { coarse_run->follow(process); });
-      if (is_over() || process.duty_cycle_is_outdated())
+      if (is_over() || process.duty_cycle_is_outdated() ||
+          deviation_limits.are_set())
         {
           kept_since = state().cycles_at_dynamics;
           run_dynamics();

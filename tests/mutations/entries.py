@@ -24,6 +24,7 @@ NAMED = (
     "Material",
     "Bushing",
     "Load case",
+    "Watched marker",
 )
 
 #: Kind of subsection -> entry -> kind of value. 'Bushing/Mesh' is one in another.
@@ -41,6 +42,7 @@ TABLE = {
         "Torques": "names",
         "Materials": "names",
         "Bushings": "names",
+        "Watched markers": "names",
         "Load cases": "names",
         "Order of load cases": "word",
         "Stop at time": "s",
@@ -177,6 +179,7 @@ TABLE = {
         "Foundation tangential stiffness": "kg m-2 s-2",
         "Housing gap": "m",
     },
+    "Watched marker": {"Stop at deviation": "m"},
     "Bushing/Mesh": {
         "Bore cells": "integer",
         "Radial cells": "integer",

@@ -41,10 +41,12 @@ ALLOWED["multibody/motion"] = ALLOWED["multibody/system"] | {
     "sundials",
 }
 ALLOWED["multibody/following"] = ALLOWED["multibody/system"] | {"multibody/system"}
+ALLOWED["multibody/play"] = ALLOWED["multibody/system"] | {"multibody/system"}
 ALLOWED["multibody/cycle"] = ALLOWED["multibody/motion"] | {
     "multibody/assembly",
     "multibody/motion",
     "multibody/following",
+    "multibody/play",
 }
 BELOW_BUSHING = set(ALLOWED)
 ALLOWED["bushing"] = {

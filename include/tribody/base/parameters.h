@@ -20,6 +20,14 @@ namespace dealii
 
 namespace Tribody
 {
+  /// What the names of a list are: those of things, of letters, digits, '_',
+  /// '-' and '+', or of markers, two of these with a dot between.
+  enum class NameKind
+  {
+    thing,
+    marker
+  };
+
   /**
    * Declaration of single parameters in deal.II's ParameterHandler, bound to
    * a variable in SI units. The variable's value at the time of the call is
@@ -60,12 +68,13 @@ namespace Tribody
                      const std::string                       &si_unit,
                      const std::string                       &documentation);
 
-    /// Names separated by commas: letters, digits, '_', '-' and '+'.
+    /// Names separated by commas.
     void
     add_names(dealii::ParameterHandler &prm,
               const std::string        &name,
               std::vector<std::string> &value,
-              const std::string        &documentation);
+              const std::string        &documentation,
+              const NameKind            kind = NameKind::thing);
 
     /// One of several @p words, at first @p default_word; @p action is called
     /// with any text that is given.
@@ -112,7 +121,7 @@ namespace Tribody
 
   /// Split "a, b, c" into trimmed, non-empty names.
   std::vector<std::string>
-  split_names(const std::string &text);
+  split_names(const std::string &text, const NameKind kind = NameKind::thing);
 } // namespace Tribody
 
 #endif

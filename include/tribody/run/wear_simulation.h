@@ -10,6 +10,7 @@
 #include <tribody/output/output_directory.h>
 #include <tribody/results/run_recorder.h>
 #include <tribody/results/run_results.h>
+#include <tribody/run/deviation_limits.h>
 #include <tribody/run/operating_case.h>
 #include <tribody/stepping/coarse_run.h>
 #include <tribody/stepping/wear_process.h>
@@ -102,6 +103,16 @@ namespace Tribody
       bool
       needs_more_samples() const;
 
+      /// What advance() does without limits of watched markers; the motion is
+      /// renewed always if there are some.
+      void
+      take_step(const double end);
+
+      /// Find the moment in the step from @p before to where it stands at which
+      /// a watched marker has reached its limit, and go back to it.
+      void
+      stop_at_deviation(const RunState &before);
+
       std::unique_ptr<CoarseRun>
       make_coarse_run() const;
 
@@ -153,6 +164,7 @@ namespace Tribody
       dealii::TimerOutput        timer;
       std::deque<OperatingCase>  cases;
       WearProcess                process;
+      const DeviationLimits      deviation_limits;
       std::unique_ptr<CoarseRun> coarse_run;
     };
   } // namespace Coupling

@@ -10,6 +10,7 @@
 
 #include <deque>
 #include <memory>
+#include <string>
 
 namespace Tribody
 {
@@ -127,6 +128,14 @@ namespace Tribody
       set_twin(const std::vector<RunState> &twin)
       {
         run_state.twin = twin;
+      }
+
+      /// For the run, see RunState: it has ended at a limit that only the
+      /// motion knows.
+      void
+      set_stopped_by(const std::string &limit)
+      {
+        run_state.stopped_by = limit;
       }
 
       /// For the run, see RunState: the user has been told, once.

@@ -167,6 +167,10 @@ namespace Tribody
       , parameters(parameters)
       , closed_mechanism(close_gaps(mechanism))
       , closed_equations(closed_mechanism, {})
+      , marker_watch(closed_equations,
+                     parameters.analysis == Analysis::static_equilibrium
+                       ? IdealMotion::at_rest
+                       : IdealMotion::prescribed)
       , period(cycle_duration(mechanism, parameters))
     {
       parameters.check();
@@ -303,6 +307,7 @@ namespace Tribody
       std::string &message = cycle.settling.message;
       if (!premises.empty())
         message = premises + (message.empty() ? "" : "; ") + message;
+      cycle.watched_paths = marker_watch.compare(cycle.time, cycle.coordinates);
       return cycle;
     }
 

@@ -6,6 +6,7 @@
 #include <tribody/base/parameters.h>
 #include <tribody/multibody/elements/angle_driver.h>
 #include <tribody/multibody/elements/distance_driver.h>
+#include <tribody/multibody/elements/find_marker.h>
 #include <tribody/multibody/elements/rigid_constraint.h>
 #include <tribody/multibody/elements/translational_constraint.h>
 #include <tribody/multibody/system/mechanism.h>
@@ -94,24 +95,7 @@ namespace Tribody
     int
     Mechanism::find_body(const std::string &path, const std::string &name) const
     {
-      if (name == "ground")
-        return ground_body;
-      const auto &bodies = the_parameters.bodies;
-      const auto  found =
-        std::find_if(bodies.begin(), bodies.end(), [&name](const auto &body) {
-          return body.name == name;
-        });
-      if (found != bodies.end())
-        return static_cast<int>(found - bodies.begin());
-
-      std::string valid = "ground";
-      for (const BodyParameters &body : bodies)
-        valid += ", " + body.name;
-      AssertThrow(false,
-                  ExcParameter(path,
-                               "there is no body '" + name +
-                                 "'; the bodies are " + valid));
-      return ground_body;
+      return Multibody::find_body(path, name, the_parameters.bodies);
     }
 
 
@@ -120,26 +104,10 @@ namespace Tribody
     Mechanism::find_marker(const std::string &path,
                            const std::string &name) const
     {
-      const std::string::size_type dot = name.find('.');
-      AssertThrow(dot != std::string::npos,
-                  ExcParameter(path,
-                               "'" + name +
-                                 "' is not a marker; write <body>.<marker>"));
-      const std::string body_name = name.substr(0, dot);
-      const int         body      = find_body(path, body_name);
-      const std::map<std::string, dealii::Point<2>> &markers =
-        (body == ground_body) ? the_parameters.ground.markers
-                              : the_parameters.bodies[body].markers;
-
-      std::string valid;
-      for (const auto &[marker, position] : markers)
-        valid += (valid.empty() ? "" : ", ") + body_name + "." + marker;
-      const auto found = markers.find(name.substr(dot + 1));
-      AssertThrow(found != markers.end(),
-                  ExcParameter(path,
-                               "there is no marker '" + name +
-                                 "'; the markers are " + valid));
-      return {body, to_eigen(found->second)};
+      return Multibody::find_marker(path,
+                                    name,
+                                    the_parameters.ground,
+                                    the_parameters.bodies);
     }
 
 

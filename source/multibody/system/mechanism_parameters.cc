@@ -42,6 +42,7 @@ namespace Tribody
       check_entries(drivers, "Drivers");
       check_entries(forces, "Forces");
       check_entries(torques, "Torques");
+      check_entries(watched_markers, "Watched markers");
     }
 
 

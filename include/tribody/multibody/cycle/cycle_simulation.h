@@ -6,6 +6,7 @@
 #include <tribody/multibody/cycle/integration_accuracy.h>
 #include <tribody/multibody/motion/dynamics_parameters.h>
 #include <tribody/multibody/motion/reference_scales.h>
+#include <tribody/multibody/play/marker_watch.h>
 #include <tribody/multibody/system/equations_of_motion.h>
 #include <tribody/multibody/system/mechanism.h>
 #include <tribody/surface/periodic_profile.h>
@@ -46,8 +47,9 @@ namespace Tribody
        * @p mechanism.
        * @throws ExcParameter for what cannot be assembled, redundant
        *   constraints, a missing driver, an analysis that does not fit the
-       *   degrees of freedom, masses that are missing, a driver that jumps, or
-       * a crank that cannot make a full turn with ideal joints.
+       *   degrees of freedom, masses that are missing, a driver that jumps, a
+       *   crank that cannot make a full turn with ideal joints, or what
+       *   MarkerWatch refuses.
        */
       CycleSimulation(const Mechanism          &mechanism,
                       const DynamicsParameters &parameters);
@@ -217,6 +219,7 @@ namespace Tribody
       const DynamicsParameters parameters;
       const Mechanism          closed_mechanism;
       const EquationsOfMotion  closed_equations;
+      const MarkerWatch        marker_watch;
       const double             period;
       // What to say of the mechanism and its start with every cycle.
       std::string premises;

@@ -10,6 +10,7 @@
 #include <tribody/multibody/joints/bearing_loads.h>
 #include <tribody/multibody/joints/wear_spread.h>
 #include <tribody/multibody/motion/energy_record.h>
+#include <tribody/multibody/play/watched_path.h>
 #include <tribody/sundials/ida_integrator.h>
 
 #include <array>
@@ -250,6 +251,8 @@ namespace Tribody
       std::vector<DriverDutyCycle> drivers;
       /// Without an energy account, kinetic and potential energy only.
       EnergyHistory energy;
+      /// One per watched marker, in the order of the parameters.
+      std::vector<WatchedPath> watched_paths;
 
       /// How many cycles it took to get here.
       SettlingReport settling;

@@ -8,6 +8,7 @@
 #include <tribody/multibody/elements/force_parameters.h>
 #include <tribody/multibody/elements/rotational_spring_parameters.h>
 #include <tribody/multibody/elements/spring_parameters.h>
+#include <tribody/multibody/elements/watched_marker_parameters.h>
 #include <tribody/multibody/joints/joint_parameters.h>
 
 #include <vector>
@@ -35,6 +36,8 @@ namespace Tribody
       std::vector<ForceParameters> forces;
       /// Given functions of time, between two bodies.
       std::vector<TorqueParameters> torques;
+      /// Whose paths are compared with those of ideal joints.
+      std::vector<WatchedMarkerParameters> watched_markers;
       /// Acceleration of gravity [m/s^2].
       dealii::Point<2> gravity;
       /// Constraints that follow from others wherever the mechanism is; whoever
