@@ -12,6 +12,7 @@
 #include <tribody/base/units.h>
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
+#include <tribody/case/given_tables.h>
 #include <tribody/case/repetition.h>
 #include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
@@ -384,6 +385,7 @@ namespace Tribody
               prm.leave_subsection();
               prm.leave_subsection();
             }
+        set_full_paths_of_tables(file, parameters.mechanism, prm);
         return print(prm);
       }
 
@@ -432,7 +434,8 @@ namespace Tribody
 
 
 
-      // A driver has a speed, or a time function with its amplitude, or both.
+      // A driver has a speed, or a time function with its amplitude, or both,
+      // or a table.
       template <typename Require>
       void
       check_required_of_driver(const Require                     &require,
@@ -443,8 +446,11 @@ namespace Tribody
         if (driver.is_angle())
           require(subsection, {"Body"});
         else
-          require(subsection,
-                  {"First marker", "Second marker", "Initial distance"});
+          require(subsection, {"First marker", "Second marker"});
+        if (driver.table.is_given())
+          return;
+        if (!driver.is_angle())
+          require(subsection, {"Initial distance"});
         if (file.is_set(subsection + "/Time function"))
           require(subsection,
                   {driver.is_angle() ? "Angle amplitude"
@@ -500,9 +506,17 @@ namespace Tribody
         for (const auto &driver : parameters.mechanism.drivers)
           check_required_of_driver(require, file, driver);
         for (const auto &force : parameters.mechanism.forces)
-          require("Force " + force.name, {"Marker", "Vector"});
+          {
+            require("Force " + force.name, {"Marker"});
+            if (!force.table.is_given())
+              require("Force " + force.name, {"Vector"});
+          }
         for (const auto &torque : parameters.mechanism.torques)
-          require("Torque " + torque.name, {"Body", "Torque"});
+          {
+            require("Torque " + torque.name, {"Body"});
+            if (!torque.table.is_given())
+              require("Torque " + torque.name, {"Torque"});
+          }
         for (const Material &material : parameters.materials)
           require("Material " + material.name,
                   {"Young's modulus", "Poisson's ratio", "Density"});
@@ -664,6 +678,7 @@ namespace Tribody
           check_required(file, parameters);
           resolve_materials(parameters);
           resolve_mesh_files(file, parameters);
+          read_tables(file, parameters.mechanism);
           check(parameters);
         }
       catch (const ExcParameter &exception)
