@@ -14,6 +14,7 @@
 #include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
 #include <tribody/case/given_duty_cycle.h>
+#include <tribody/case/given_tables.h>
 #include <tribody/case/repetition.h>
 #include <tribody/multibody/assembly/redundancy.h>
 #include <tribody/multibody/cycle/cycle_simulation.h>
@@ -453,6 +454,7 @@ namespace Tribody
             if (!bushing.duty_cycle_file.empty())
               set_full_path({subsection}, "Duty cycle file");
           }
+        set_full_paths_of_tables(file, parameters.mechanism, prm);
         return print(prm);
       }
 
@@ -533,7 +535,8 @@ namespace Tribody
 
 
 
-      // A driver has a speed, or a time function with its amplitude, or both.
+      // A driver has a speed, or a time function with its amplitude, or both,
+      // or a table.
       template <typename Require>
       void
       check_required_of_driver(const Require                     &require,
@@ -544,8 +547,11 @@ namespace Tribody
         if (driver.is_angle())
           require(subsection, {"Body"});
         else
-          require(subsection,
-                  {"First marker", "Second marker", "Initial distance"});
+          require(subsection, {"First marker", "Second marker"});
+        if (driver.table.is_given())
+          return;
+        if (!driver.is_angle())
+          require(subsection, {"Initial distance"});
         if (file.is_set(subsection + "/Time function"))
           require(subsection,
                   {driver.is_angle() ? "Angle amplitude"
@@ -603,9 +609,17 @@ namespace Tribody
         for (const auto &driver : parameters.mechanism.drivers)
           check_required_of_driver(require, file, driver);
         for (const auto &force : parameters.mechanism.forces)
-          require("Force " + force.name, {"Marker", "Vector"});
+          {
+            require("Force " + force.name, {"Marker"});
+            if (!force.table.is_given())
+              require("Force " + force.name, {"Vector"});
+          }
         for (const auto &torque : parameters.mechanism.torques)
-          require("Torque " + torque.name, {"Body", "Torque"});
+          {
+            require("Torque " + torque.name, {"Body"});
+            if (!torque.table.is_given())
+              require("Torque " + torque.name, {"Torque"});
+          }
         for (const Material &material : parameters.materials)
           require("Material " + material.name,
                   {"Young's modulus", "Poisson's ratio", "Density"});
@@ -824,6 +838,7 @@ namespace Tribody
             check_required(file, parameters);
             resolve_materials(parameters);
             resolve_files(file, parameters);
+            read_tables(file, parameters.mechanism);
             check(parameters);
             if (name.empty())
               parameters.load_cases.emplace_back();

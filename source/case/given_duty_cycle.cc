@@ -268,6 +268,23 @@ namespace Tribody
 
 
 
+      // Errors name the parameter, too.
+      Record
+      read_parameter(const GivenLoads &loads)
+      {
+        try
+          {
+            return read_record(loads);
+          }
+        catch (const ExcInput &exception)
+          {
+            throw ExcParameter("Bushing " + loads.joint + "/Duty cycle file",
+                               message_of(exception));
+          }
+      }
+
+
+
       // As far as a mechanism would have it.
       void
       set_energy(Multibody::EnergyHistory &energy, const Eigen::Index n)
@@ -286,21 +303,23 @@ namespace Tribody
       Multibody::DutyCycle cycle;
       for (const GivenLoads &loads : joints)
         {
-          const Record record = read_record(loads);
+          const Record record = read_parameter(loads);
           if (cycle.joints.empty())
             {
               cycle.period                     = record.period;
               cycle.time                       = record.time;
               cycle.settling.n_averaged_cycles = record.n_cycles;
             }
-          AssertThrow(record.time.size() == cycle.time.size() &&
-                        record.n_cycles == cycle.settling.n_averaged_cycles &&
-                        (record.time - cycle.time).cwiseAbs().maxCoeff() <=
-                          rounding * cycle.period,
-                      ExcInput(
-                        loads.file_name + ": has not the times of " +
-                        joints.front().file_name +
-                        "; the duty cycles of all joints have the same rows"));
+          AssertThrow(
+            record.time.size() == cycle.time.size() &&
+              record.n_cycles == cycle.settling.n_averaged_cycles &&
+              (record.time - cycle.time).cwiseAbs().maxCoeff() <=
+                rounding * cycle.period,
+            ExcParameter(
+              "Bushing " + loads.joint + "/Duty cycle file",
+              loads.file_name + " has not the times of " +
+                joints.front().file_name +
+                "; the duty cycles of all joints have the same rows"));
           cycle.joints.push_back(record.joint);
         }
       const Eigen::Index n = cycle.time.size();

@@ -20,13 +20,20 @@ namespace Tribody
       // Relative to the largest value: rounding of t over many cycles.
       constexpr double tolerance = 1e-6;
 
-      // Whether f(t + n cycles) is f(t), for an angle but for a constant.
+      // Whether f(t + n cycles) is f(t), for an angle but for a constant. The
+      // period of a table is known; of an expression, values are.
       bool
       repeats_after(const Multibody::TimeFunction &function,
                     const double                   cycle,
                     const unsigned int             n,
                     const bool                     is_angle)
       {
+        if (function.period() > 0.)
+          {
+            const double periods = n * cycle / function.period();
+            return periods > 0.5 &&
+                   std::abs(periods - std::round(periods)) <= tolerance;
+          }
         constexpr unsigned int n_times  = 97;
         double                 smallest = 0., largest = 0., size = 0.;
         for (unsigned int k = 0; k < n_times; ++k)
@@ -48,6 +55,29 @@ namespace Tribody
 
 
 
+      // Throw ExcParameter for a table whose period does not fit the cycle.
+      void
+      refuse_period(const Multibody::TimeFunction &function,
+                    const std::string             &path,
+                    const double                   cycle)
+      {
+        unsigned int n = 2;
+        while (n <= most_cycles && !repeats_after(function, cycle, n, false))
+          ++n;
+        throw ExcParameter(
+          path,
+          "has a period of " + significant_digits(function.period(), 6) +
+            " s, but a cycle takes " + significant_digits(cycle, 6) +
+            " s; it must be a whole number of periods. Change the times in the "
+            "table, or 'Table period', or " +
+            (n <= most_cycles
+               ? "write 'set Cycle duration = " +
+                   significant_digits(n * cycle, 6) + " s' in 'Dynamics'"
+               : "'Dynamics/Cycle duration'"));
+      }
+
+
+
       void
       check_function(const Multibody::TimeFunction &function,
                      const std::string             &path,
@@ -57,6 +87,8 @@ namespace Tribody
       {
         if (repeats_after(function, cycle, 1, is_angle))
           return;
+        if (function.period() > 0.)
+          refuse_period(function, path, cycle);
         for (unsigned int n = 2; n <= most_cycles; ++n)
           AssertThrow(
             !repeats_after(function, cycle, n, is_angle),
@@ -89,7 +121,7 @@ namespace Tribody
         for (const Multibody::DriverParameters &driver : drivers)
           {
             const double turns =
-              driver.speed * cycle / (2. * dealii::numbers::PI);
+              driver.mean_speed() * cycle / (2. * dealii::numbers::PI);
             AssertThrow(!driver.is_angle() ||
                           std::abs(turns - std::round(turns)) < tolerance,
                         ExcParameter(
@@ -129,20 +161,20 @@ namespace Tribody
           (parameters.joint_motion == Multibody::JointMotion::dynamic ||
            closed.n_degrees_of_freedom() != 0)));
       const auto &names = mechanism.parameters();
-      for (std::size_t i = 0; i < names.forces.size(); ++i)
-        check_function(mechanism.applied_forces()[i].function,
-                       "Force " + names.forces[i].name + "/Time function",
+      for (const Multibody::ForceParameters &force : names.forces)
+        check_function(force.parts().front().function,
+                       force.path_of_function(),
                        cycle,
                        is_integrated);
-      for (std::size_t i = 0; i < names.torques.size(); ++i)
-        check_function(mechanism.applied_torques()[i].function,
-                       "Torque " + names.torques[i].name + "/Time function",
+      for (const Multibody::TorqueParameters &torque : names.torques)
+        check_function(torque.function(),
+                       torque.path_of_function(),
                        cycle,
                        is_integrated);
       for (std::size_t i = 0; i < names.drivers.size(); ++i)
         if (mechanism.drivers()[i].motion.amplitude != 0.)
           check_function(mechanism.drivers()[i].motion.function,
-                         "Driver " + names.drivers[i].name + "/Time function",
+                         names.drivers[i].path_of_function(),
                          cycle,
                          is_integrated,
                          names.drivers[i].is_angle());

@@ -37,7 +37,7 @@ namespace Tribody
      *
      * Friction is in the force or not as the file has it: all of it presses
      * on the bore. Where the pin is in its clearance is not known: zero.
-     * @throws ExcInput with file and line for what does not make a cycle.
+     * @throws ExcParameter with file and line for what does not make a cycle.
      */
     Multibody::DutyCycle
     read_duty_cycle(const std::vector<GivenLoads> &joints);

@@ -110,6 +110,8 @@ namespace Tribody
     double
     TimeFunction::value(const double t) const
     {
+      if (table)
+        return table->value(t);
       const dealii::Point<1> place(t);
       const double           result = expression.value(place);
       if (!std::isfinite(result))
@@ -122,6 +124,8 @@ namespace Tribody
     std::array<double, 2>
     TimeFunction::derivatives(const double t) const
     {
+      if (table)
+        return table->derivatives(t);
       if (expression.is_constant())
         return {{0., 0.}};
       const auto evaluate = [this](const double at) {

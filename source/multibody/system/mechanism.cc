@@ -55,7 +55,7 @@ namespace Tribody
     {
       return !the_parameters.drivers.empty() &&
              the_parameters.drivers.front().is_angle() &&
-             the_parameters.drivers.front().speed != 0;
+             the_parameters.drivers.front().mean_speed() != 0;
     }
 
 
@@ -72,10 +72,10 @@ namespace Tribody
       AssertThrow(driver.is_angle(),
                   ExcParameter("Driver " + driver.name + "/Type",
                                "is '" + name_of(driver.type) + "'" + hint));
-      AssertThrow(driver.speed != 0,
+      AssertThrow(driver.mean_speed() != 0,
                   ExcParameter("Driver " + driver.name + "/Speed",
                                "is zero" + hint));
-      return 2 * dealii::numbers::PI / std::abs(driver.speed);
+      return 2 * dealii::numbers::PI / std::abs(driver.mean_speed());
     }
 
 
@@ -315,18 +315,13 @@ namespace Tribody
     void
     Mechanism::add_driver(const DriverParameters &driver)
     {
-      const std::string  path = "Driver " + driver.name;
-      const TimeFunction function(path + "/Time function",
-                                  driver.time_function);
+      const std::string  path   = "Driver " + driver.name;
+      const DriverMotion motion = driver.motion();
       if (driver.is_angle())
         {
-          const BodyPair     bodies = {find_body(path + "/Body", driver.body),
-                                       find_body(path + "/Reference body",
+          const BodyPair bodies = {find_body(path + "/Body", driver.body),
+                                   find_body(path + "/Reference body",
                                              driver.reference_body)};
-          const DriverMotion motion = {driver.initial_angle,
-                                       driver.speed,
-                                       driver.angle_amplitude,
-                                       function};
           add_driver_constraint(
             motion, std::make_shared<AngleDriver>(path, bodies, motion));
           return;
@@ -339,10 +334,6 @@ namespace Tribody
                   ExcParameter(path,
                                "drives the distance of two markers of the same "
                                "body, which cannot change"));
-      const DriverMotion motion = {driver.initial_distance,
-                                   driver.distance_speed,
-                                   driver.distance_amplitude,
-                                   function};
       add_driver_constraint(
         motion, std::make_shared<DistanceDriver>(path, first, second, motion));
     }
@@ -371,11 +362,9 @@ namespace Tribody
                                "'" + force.marker +
                                  "' belongs to the ground, which does not "
                                  "move; name a marker of a body"));
-      the_applied_forces.push_back(
-        {marker,
-         to_eigen(force.vector),
-         force.axes == ForceAxes::body,
-         TimeFunction(path + "/Time function", force.time_function)});
+      for (const auto &[vector, function] : force.parts())
+        the_applied_forces.push_back(
+          {marker, vector, force.axes == ForceAxes::body, function});
     }
 
 
@@ -387,8 +376,8 @@ namespace Tribody
       the_applied_torques.push_back(
         {{find_body(path + "/Body", torque.body),
           find_body(path + "/Reference body", torque.reference_body)},
-         torque.torque,
-         TimeFunction(path + "/Time function", torque.time_function)});
+         torque.factor(),
+         torque.function()});
     }
   } // namespace Multibody
 } // namespace Tribody

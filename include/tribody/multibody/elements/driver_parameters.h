@@ -4,7 +4,10 @@
 #define tribody_multibody_elements_driver_parameters_h
 
 #include <tribody/base/choice.h>
+#include <tribody/multibody/elements/driver_motion.h>
+#include <tribody/tables/table_parameters.h>
 
+#include <optional>
 #include <string>
 
 namespace dealii
@@ -34,7 +37,7 @@ namespace Tribody
      * A motor that prescribes the angle of one body relative to another, or an
      * actuator that prescribes the distance of two markers: the value at time
      * 0, plus a constant speed times t, plus an amplitude times an expression
-     * of t. Entries of the other type are ignored.
+     * of t, or plus what a table has. Entries of the other type are ignored.
      */
     struct DriverParameters
     {
@@ -67,14 +70,44 @@ namespace Tribody
 
       /// f(t).
       std::string time_function = "0";
+      /// Instead of amplitude and function.
+      TableParameters table{TableInterpolation::cubic};
+      /// What it adds to the motion, periodic [rad or m]; empty without one.
+      std::optional<TimeFunction> table_function;
+      /// Mean rate of a table whose angle makes whole turns [rad/s].
+      double table_speed = 0.;
 
       /// Declares in the current subsection, "Driver <name>".
       void
       add_parameters(dealii::ParameterHandler &prm);
 
+      /// Set what comes from the table if there is one. @throws ExcParameter.
+      void
+      read_table();
+
       /// @throws ExcParameter with paths that start with "Driver <name>".
       void
       check() const;
+
+      /// What it prescribes. @throws ExcParameter for an expression that cannot
+      /// be parsed.
+      DriverMotion
+      motion() const;
+
+      /// Mean angular speed [rad/s].
+      double
+      mean_speed() const
+      {
+        return speed + table_speed;
+      }
+
+      /// Of the parameter that the function comes from.
+      std::string
+      path_of_function() const
+      {
+        return "Driver " + name +
+               (table.is_given() ? "/Table" : "/Time function");
+      }
 
       /// Whether it prescribes an angle: a motor, not an actuator.
       bool

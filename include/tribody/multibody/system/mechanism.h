@@ -204,7 +204,7 @@ namespace Tribody
         return the_rotational_springs;
       }
 
-      /// In the order of the parameters.
+      /// In the order of the parameters; two where a table has two components.
       const std::vector<AppliedForce> &
       applied_forces() const
       {
