@@ -13,13 +13,11 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/in_quotes.h>
 #include <tribody/base/parameter_file.h>
+#include <tribody/base/whole_file.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <numeric>
 #include <sstream>
 #include <system_error>
@@ -179,50 +177,14 @@ namespace Tribody
 
 
 
-    /// @throws ExcInput unless it is a regular file: a device has no end, and
-    /// a pipe perhaps no beginning.
-    void
-    check_regular(const std::string &file_name, const std::string &place)
-    {
-      std::error_code                    error;
-      const std::filesystem::file_status status =
-        std::filesystem::status(file_name, error);
-      AssertThrow(std::filesystem::exists(status),
-                  ExcInput(place + "Cannot read the parameter file " +
-                           in_quotes(file_name) + ": " +
-                           (error ? error.message() : "it does not exist") +
-                           "."));
-      AssertThrow(!std::filesystem::is_directory(status),
-                  ExcInput(place + in_quotes(file_name) +
-                           " is a directory, not a "
-                           "parameter file."));
-      AssertThrow(std::filesystem::is_regular_file(status),
-                  ExcInput(place + in_quotes(file_name) +
-                           " is a device, a pipe or a socket, not a "
-                           "parameter file."));
-    }
-
-
-
-    // At most @p max_n_bytes. Streams do not tell an error from the end.
+    // At most @p max_n_bytes.
     std::string
     read_text(const std::string &file_name,
               const std::string &place,
               const std::size_t  max_n_bytes)
     {
-      check_regular(file_name, place);
-      const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
-        std::fopen(file_name.c_str(), "rb"), std::fclose);
-      std::string text;
-      char        buffer[1 << 16];
-      std::size_t n = 0;
-      while (file != nullptr && text.size() <= max_n_bytes &&
-             (n = std::fread(buffer, 1, sizeof(buffer), file.get())) > 0)
-        text.append(buffer, n);
-      AssertThrow(file != nullptr && std::ferror(file.get()) == 0,
-                  ExcInput(place + "Cannot read the parameter file " +
-                           in_quotes(file_name) + ": " +
-                           std::generic_category().message(errno) + "."));
+      std::string text =
+        read_regular_file(file_name, "parameter file", place, max_n_bytes);
       AssertThrow(text.size() <= max_n_bytes,
                   ExcInput(place + in_quotes(file_name) +
                            " is too long for a parameter file: with all that "

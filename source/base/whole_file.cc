@@ -3,11 +3,14 @@
 #include <deal.II/base/exceptions.h>
 
 #include <tribody/base/exceptions.h>
+#include <tribody/base/in_quotes.h>
 #include <tribody/base/whole_file.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <system_error>
 
 namespace Tribody
@@ -69,5 +72,45 @@ namespace Tribody
           throw ExcRun(describe_write_error(file_name, errno));
         }
     });
+  }
+
+
+
+  std::string
+  read_regular_file(const std::string &file_name,
+                    const std::string &kind,
+                    const std::string &place,
+                    const std::size_t  max_n_bytes)
+  {
+    const std::string cannot_read =
+      place + "Cannot read the " + kind + " " + in_quotes(file_name) + ": ";
+    std::error_code                    error;
+    const std::filesystem::file_status status =
+      std::filesystem::status(file_name, error);
+    AssertThrow(std::filesystem::exists(status),
+                ExcInput(cannot_read +
+                         (error ? error.message() : "it does not exist") +
+                         "."));
+    AssertThrow(!std::filesystem::is_directory(status),
+                ExcInput(place + in_quotes(file_name) +
+                         " is a directory, not a " + kind + "."));
+    AssertThrow(std::filesystem::is_regular_file(status),
+                ExcInput(place + in_quotes(file_name) +
+                         " is a device, a pipe or a socket, not a " + kind +
+                         "."));
+
+    // Streams do not tell an error from the end.
+    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
+      std::fopen(file_name.c_str(), "rb"), std::fclose);
+    std::string text;
+    char        buffer[1 << 16];
+    std::size_t n = 0;
+    while (file != nullptr && text.size() <= max_n_bytes &&
+           (n = std::fread(buffer, 1, sizeof(buffer), file.get())) > 0)
+      text.append(buffer, n);
+    AssertThrow(file != nullptr && std::ferror(file.get()) == 0,
+                ExcInput(cannot_read + std::generic_category().message(errno) +
+                         "."));
+    return text;
   }
 } // namespace Tribody

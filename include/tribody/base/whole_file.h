@@ -30,6 +30,20 @@ namespace Tribody
   void
   replace_file(const std::string                              &file_name,
                const std::function<void(const std::string &)> &write);
+
+  /**
+   * All bytes of a user's file; of one with more than @p max_n_bytes only
+   * some, but more than those.
+   * @param kind "parameter file", for messages.
+   * @param place where the file is named, "case.prm:12: ", or empty.
+   * @throws ExcInput if it cannot be read, or is no regular file: a device has
+   *   no end, and a pipe perhaps no beginning.
+   */
+  std::string
+  read_regular_file(const std::string &file_name,
+                    const std::string &kind,
+                    const std::string &place,
+                    const std::size_t  max_n_bytes);
 } // namespace Tribody
 
 #endif
