@@ -362,6 +362,30 @@ namespace Tribody
 
 
 
+      // The name of a file in an entry, wherever the program is started.
+      void
+      set_absolute(const ParameterFile            &file,
+                   const std::vector<std::string> &subsections,
+                   const std::string              &name,
+                   dealii::ParameterHandler       &prm)
+      {
+        std::string path;
+        for (const std::string &subsection : subsections)
+          path += subsection + "/";
+        std::error_code             error;
+        const std::filesystem::path absolute =
+          std::filesystem::absolute(file.file_named_by(path + name), error);
+        if (error)
+          return;
+        for (const std::string &subsection : subsections)
+          prm.enter_subsection(subsection);
+        prm.set(name, absolute.lexically_normal().string());
+        for (std::size_t i = 0; i < subsections.size(); ++i)
+          prm.leave_subsection();
+      }
+
+
+
       // With the files that it names found from anywhere, so that it can be run
       // again where the results are.
       std::string
@@ -370,34 +394,32 @@ namespace Tribody
                          dealii::ParameterHandler &prm)
       {
         for (const BushingParameters &bushing : parameters.bushings)
-          if (bushing.mesh_file.is_given())
-            {
-              const std::string subsection = "Bushing " + bushing.name;
-              std::error_code   error;
-              const std::filesystem::path absolute = std::filesystem::absolute(
-                file.file_named_by(subsection + "/Mesh/File"), error);
-              if (error)
-                continue;
-              prm.enter_subsection(subsection);
-              prm.enter_subsection("Mesh");
-              prm.set("File", absolute.lexically_normal().string());
-              prm.leave_subsection();
-              prm.leave_subsection();
-            }
+          {
+            const std::string subsection = "Bushing " + bushing.name;
+            if (bushing.mesh_file.is_given())
+              set_absolute(file, {subsection, "Mesh"}, "File", prm);
+            if (!bushing.wear_coefficient_table.empty())
+              set_absolute(file, {subsection}, "Wear coefficient table", prm);
+          }
         return print(prm);
       }
 
 
 
-      // Mesh files are named relative to the parameter file that names them,
-      // or to the current directory on the command line.
+      // Files are named relative to the parameter file that names them, or to
+      // the current directory on the command line.
       void
-      resolve_mesh_files(const ParameterFile &file, CaseParameters &parameters)
+      resolve_files(const ParameterFile &file, CaseParameters &parameters)
       {
         for (BushingParameters &bushing : parameters.bushings)
-          if (bushing.mesh_file.is_given())
-            bushing.mesh_file.name =
-              file.file_named_by("Bushing " + bushing.name + "/Mesh/File");
+          {
+            const std::string path = "Bushing " + bushing.name + "/";
+            if (bushing.mesh_file.is_given())
+              bushing.mesh_file.name = file.file_named_by(path + "Mesh/File");
+            if (!bushing.wear_coefficient_table.empty())
+              bushing.wear_coefficient_table =
+                file.file_named_by(path + "Wear coefficient table");
+          }
       }
 
 
@@ -663,7 +685,7 @@ namespace Tribody
           apply_scheme(parameters);
           check_required(file, parameters);
           resolve_materials(parameters);
-          resolve_mesh_files(file, parameters);
+          resolve_files(file, parameters);
           check(parameters);
         }
       catch (const ExcParameter &exception)
