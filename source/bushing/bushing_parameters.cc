@@ -121,34 +121,67 @@ namespace Tribody
 
 
 
+      // As Parameters::add_quantity(), with the spellings of data sheets.
+      void
+      add_wear_coefficient(dealii::ParameterHandler &prm,
+                           const std::string        &name,
+                           double                   &value,
+                           const std::string        &documentation)
+      {
+        prm.declare_entry(name,
+                          Units::to_string(value, "Pa^-1", "mm^3/(N m)"),
+                          dealii::Patterns::Anything(),
+                          documentation);
+        prm.add_action(name, [&value](const std::string &text) {
+          value = Wear::coefficient_from_string(text);
+        });
+      }
+
+
+
       void
       add_wear(dealii::ParameterHandler &prm, BushingParameters &p)
       {
-        Parameters::add_quantity(prm,
-                                 "Wear coefficient",
-                                 p.wear_coefficient,
-                                 "Pa^-1",
-                                 "Archard's k of the bushing, not negative: "
-                                 "local wear depth per contact pressure and "
-                                 "sliding distance, dh = k p ds at each place "
-                                 "of the bore. The worn volume is k F s where "
-                                 "the contact is narrow, and more where it is "
-                                 "wide, since pressures that point to both "
-                                 "sides do not add up to the force F: up to "
-                                 "4/pi = 1.27 times for a worn-in contact over "
-                                 "half the bore. The results show both. A "
-                                 "coefficient that was measured as volume of a "
-                                 "worn-in bushing over F s is that much larger "
-                                 "than k; one from a flat specimen is k.",
-                                 "mm^3/(N m)");
-        Parameters::add_quantity(prm,
-                                 "Pin wear coefficient",
-                                 p.pin_wear_coefficient,
-                                 "Pa^-1",
-                                 "Archard's k of the pin, not negative; 0: the "
-                                 "pin does not wear. The pin wears in its own "
-                                 "frame, which turns in the bushing.",
-                                 "mm^3/(N m)");
+        add_wear_coefficient(
+          prm,
+          "Wear coefficient",
+          p.wear_coefficient,
+          "Archard's k of the bushing, not negative: local wear depth per "
+          "contact pressure and sliding distance, dh = k p ds at each place "
+          "of the bore. The worn volume is k F s where the contact is narrow, "
+          "and more where it is wide, since pressures that point to both "
+          "sides do not add up to the force F: up to 4/pi = 1.27 times for a "
+          "worn-in contact over half the bore. The results show both. Read as "
+          "data sheets spell it: '5e-4 mm^3/(N m)', '5e-4 mm3/Nm', '26 x 1e-8 "
+          "mm3/Nm', '13e-10 in3 min/(ft lb hr)' (lb is a force), '2 um/km at 1 "
+          "MPa' (a depth per distance at a pressure).");
+        Parameters::add_text(
+          prm,
+          "Wear coefficient table",
+          p.wear_coefficient_table,
+          "File with k(p, v) of the bushing instead of the 'Wear "
+          "coefficient', relative to this one; empty: none. CSV with the "
+          "header 'pressure [MPa], speed [m/s], wear coefficient "
+          "[mm^3/(N m)]', in any units of UDUNITS-2: each local pressure with "
+          "each speed, rising, or one of the two columns. Bilinear between, "
+          "constant beyond them.");
+        Parameters::add_choice(
+          prm,
+          "Wear coefficient basis",
+          p.wear_coefficient_basis,
+          "What the 'Wear coefficient' was measured as. 'local': depth per "
+          "local pressure and distance, as k above; so are coefficients of "
+          "flat specimens. 'projected pressure': depth of a worn-in bushing "
+          "per F/(2 R L) and distance. 'bushing volume': volume of a worn-in "
+          "bushing per F and distance. The last two are 4/pi as large as k, "
+          "and are divided by it.");
+        add_wear_coefficient(
+          prm,
+          "Pin wear coefficient",
+          p.pin_wear_coefficient,
+          "Archard's k of the pin, local as that of the bushing and spelt "
+          "alike, not negative; 0: the pin does not wear. The pin wears in "
+          "its own frame, which turns in the bushing.");
         Parameters::add_text(
           prm,
           "Wear coefficient factor",
@@ -295,6 +328,7 @@ namespace Tribody
                                "factor' is " +
                                  Units::to_string(running_in_factor, "", "") +
                                  " and not 1"));
+      check_table();
       // They name the parameter if it cannot be understood.
       wear_law();
       pin_wear_law();
@@ -304,6 +338,26 @@ namespace Tribody
       mesh.check(path + "Mesh");
       check_mesh(joint);
       contact_solver.check(path + "Contact solver");
+    }
+
+
+
+    void
+    BushingParameters::check_table() const
+    {
+      if (wear_coefficient_table.empty())
+        return;
+      AssertThrow(
+        wear_coefficient == 0.,
+        ExcParameter("Bushing " + name + "/Wear coefficient",
+                     Units::to_string(wear_coefficient, "Pa^-1", "mm^3/(N m)") +
+                       " and 'Wear coefficient table' exclude each "
+                       "other; leave one of them out"));
+      AssertThrow(wear_coefficient_basis == Wear::CoefficientBasis::local,
+                  ExcParameter("Bushing " + name + "/Wear coefficient basis",
+                               "a table has Archard's k over the local "
+                               "pressure, so that the basis is 'local', not '" +
+                                 name_of(wear_coefficient_basis) + "'"));
     }
 
 
@@ -403,9 +457,25 @@ namespace Tribody
     Wear::WearLaw
     BushingParameters::wear_law() const
     {
-      return make_wear_law(wear_coefficient,
-                           wear_coefficient_factor,
-                           "Wear coefficient factor");
+      const std::string factor = "Wear coefficient factor";
+      if (wear_coefficient_table.empty())
+        return make_wear_law(Wear::local_coefficient(wear_coefficient,
+                                                     wear_coefficient_basis),
+                             wear_coefficient_factor,
+                             factor);
+      try
+        {
+          const Wear::CoefficientTable table(wear_coefficient_table);
+          Wear::WearLaw                law =
+            make_wear_law(table.largest(), wear_coefficient_factor, factor);
+          law.factors.emplace_back(table);
+          return law;
+        }
+      catch (const ExcInput &exception)
+        {
+          throw ExcParameter("Bushing " + name + "/Wear coefficient table",
+                             message_of(exception));
+        }
     }
 
 

@@ -453,6 +453,8 @@ namespace Tribody
               set_full_path({subsection, "Mesh"}, "File");
             if (!bushing.duty_cycle_file.empty())
               set_full_path({subsection}, "Duty cycle file");
+            if (!bushing.wear_coefficient_table.empty())
+              set_full_path({subsection}, "Wear coefficient table");
           }
         set_full_paths_of_tables(file, parameters.mechanism, prm);
         return print(prm);
@@ -467,12 +469,15 @@ namespace Tribody
       {
         for (BushingParameters &bushing : parameters.bushings)
           {
-            const std::string path = "Bushing " + bushing.name;
+            const std::string path = "Bushing " + bushing.name + "/";
             if (bushing.mesh_file.is_given())
-              bushing.mesh_file.name = file.file_named_by(path + "/Mesh/File");
+              bushing.mesh_file.name = file.file_named_by(path + "Mesh/File");
             if (!bushing.duty_cycle_file.empty())
               bushing.duty_cycle_file =
-                file.file_named_by(path + "/Duty cycle file");
+                file.file_named_by(path + "Duty cycle file");
+            if (!bushing.wear_coefficient_table.empty())
+              bushing.wear_coefficient_table =
+                file.file_named_by(path + "Wear coefficient table");
           }
       }
 

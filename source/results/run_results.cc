@@ -59,13 +59,13 @@ namespace Tribody
         const double                      clearance = joint.clearance();
         if (!crescent_applies(bushing, cycle, clearance))
           return {};
-        const Wear::Crescent crescent{joint.bushing_radius,
-                                      clearance,
-                                      parameters.axial_length,
-                                      parameters.wear_coefficient,
-                                      totals.force_over_sliding /
-                                        totals.sliding_distance};
-        const double         depth = crescent.depth(totals.sliding_distance);
+        const Wear::Crescent crescent{
+          joint.bushing_radius,
+          clearance,
+          parameters.axial_length,
+          bushing.surfaces().front().law.archard.wear_coefficient,
+          totals.force_over_sliding / totals.sliding_distance};
+        const double depth = crescent.depth(totals.sliding_distance);
         return CrescentResults{crescent.normal_force,
                                depth,
                                crescent.volume(depth)};

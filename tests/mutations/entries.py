@@ -171,6 +171,8 @@ TABLE = {
         "Element degree": "integer",
         "Stiffness solver": "word",
         "Wear coefficient": "kg-1 m s2",
+        "Wear coefficient table": "text",
+        "Wear coefficient basis": "word",
         "Pin wear coefficient": "kg-1 m s2",
         "Wear coefficient factor": "expression",
         "Pin wear coefficient factor": "expression",

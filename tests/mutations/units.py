@@ -40,6 +40,7 @@ UNITS = {
         ("A ampere", 1, "A", True),
         ("N newton newtons", 1, "kg m s-2", True),
         ("Pa pascal", 1, "kg m-1 s-2", True),
+        ("Nm", 1, "kg m2 s-2", False),  # of a wear coefficient
         ("J joule", 1, "kg m2 s-2", True),
         ("W watt", 1, "kg m2 s-3", True),
         ("Hz hertz", 1, "s-1", True),

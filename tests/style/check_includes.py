@@ -31,7 +31,7 @@ ALLOWED = {
     "elasticity": {"gmsh", "surface", "algebra", "base"},
     "geometry": {"surface", "algebra", "base"},
     "contact": {"surface", "algebra", "base"},
-    "wear": {"sundials", "surface", "algebra", "base"},
+    "wear": {"sundials", "surface", "algebra", "tables", "base"},
     "output": {"surface", "algebra", "base"},
 }
 ALLOWED["multibody/system"] = ALLOWED["multibody/joints"] | {"multibody/joints"}

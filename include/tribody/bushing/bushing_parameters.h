@@ -11,6 +11,7 @@
 #include <tribody/elasticity/rim_shape.h>
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/ring_mesh.h>
+#include <tribody/wear/wear_coefficient.h>
 #include <tribody/wear/wear_law.h>
 
 #include <string>
@@ -128,8 +129,13 @@ namespace Tribody
       double pin_hole_radius = 0.;
       /// When the contact problem counts as solved.
       Contact::ContactSolverParameters contact_solver;
-      /// Archard's k of the bushing [Pa^-1].
+      /// Of the bushing as given [Pa^-1]; Archard's k is in wear_law().
       double wear_coefficient = 0.;
+      /// File with k(p, v) instead, see Wear::CoefficientTable; empty: none.
+      std::string wear_coefficient_table;
+      /// What the coefficient was measured as.
+      Wear::CoefficientBasis wear_coefficient_basis =
+        Wear::CoefficientBasis::local;
       /// Archard's k of the pin [Pa^-1]; 0: it does not wear.
       double pin_wear_coefficient = 0.;
       /// What multiplies that of the bushing: an expression of p, v and s, see
@@ -183,6 +189,10 @@ namespace Tribody
       pin_is_elastic(const Multibody::JointParameters &joint) const;
 
     private:
+      /// A table is no second coefficient.
+      void
+      check_table() const;
+
       /// Not negative, and not passed by the new joint.
       void
       check_limits(const Multibody::JointParameters &joint) const;

@@ -4,6 +4,8 @@
 #define tribody_wear_coefficient_factor_h
 
 #include <tribody/base/expression.h>
+#include <tribody/wear/coefficient_table.h>
+#include <tribody/wear/factor_value.h>
 
 #include <string>
 #include <variant>
@@ -12,29 +14,6 @@ namespace Tribody
 {
   namespace Wear
   {
-    /// How pin and bushing slide on each other in one sample of a cycle.
-    struct Sliding
-    {
-      /// Distance slid in the sample [m], not negative.
-      double increment = 0.;
-      /// Speed v [m/s], not negative.
-      double speed = 0.;
-      /// Distance s that the joint has slid before this cycle [m].
-      double distance = 0.;
-      /// What multiplies the wear coefficients meanwhile, whatever they depend
-      /// on [-].
-      double factor = 1.;
-    };
-
-    /// What multiplies a wear coefficient, with its derivative.
-    struct FactorValue
-    {
-      /// [-], not negative.
-      double value = 1.;
-      /// Its derivative with respect to the pressure [Pa^-1].
-      double d_pressure = 0.;
-    };
-
     /**
      * Running-in: fresh surfaces wear f_0 times as fast as later ones,
      * @f[ f = 1 + (f_0 - 1) \exp(-s/s_0). @f]
@@ -88,7 +67,8 @@ namespace Tribody
     /// What a wear coefficient may be multiplied by. A new wear law is one more
     /// of these: a struct with evaluate() as above, and a line in
     /// BushingParameters::make_wear_law().
-    using CoefficientFactor = std::variant<RunningIn, FactorExpression>;
+    using CoefficientFactor =
+      std::variant<RunningIn, FactorExpression, CoefficientTable>;
 
     /// At @p pressure [Pa], positive.
     FactorValue
