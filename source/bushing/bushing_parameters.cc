@@ -347,12 +347,14 @@ namespace Tribody
     {
       if (wear_coefficient_table.empty())
         return;
-      AssertThrow(
-        wear_coefficient == 0.,
-        ExcParameter("Bushing " + name + "/Wear coefficient",
-                     Units::to_string(wear_coefficient, "Pa^-1", "mm^3/(N m)") +
-                       " and 'Wear coefficient table' exclude each "
-                       "other; leave one of them out"));
+      AssertThrow(wear_coefficient == 0.,
+                  ExcParameter("Bushing " + name + "/Wear coefficient table",
+                               "the table and 'Wear coefficient', which is " +
+                                 Units::to_string(wear_coefficient,
+                                                  "Pa^-1",
+                                                  "mm^3/(N m)") +
+                                 ", exclude each other; leave one of them out, "
+                                 "or set the coefficient to 0"));
       AssertThrow(wear_coefficient_basis == Wear::CoefficientBasis::local,
                   ExcParameter("Bushing " + name + "/Wear coefficient basis",
                                "a table has Archard's k over the local "

@@ -406,7 +406,8 @@ main(int argc, char **argv)
                 results,
                 std::string(SOURCE_DIR) + "/reference/" + name,
                 directory);
-  for (const Multibody::WatchedPath &path : state.duty_cycle.watched_paths)
+  for (const Multibody::WatchedPath &path :
+       state.duty_cycles.front().watched_paths)
     std::cout << std::setprecision(1) << path.name << ": deviation "
               << 1e6 * path.largest_deviation() << " um, rms "
               << 1e6 * path.rms_deviation() << " um" << std::endl;

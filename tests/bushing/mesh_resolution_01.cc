@@ -95,7 +95,7 @@ check(const double clearance)
       process.solve_contacts();
       const CycleContact &contact = process.state().joints[0].contact;
 
-      CoarseRun coarse(wear, process.bushings());
+      CoarseRun coarse(wear, process);
       coarse.start(process);
       const MeshError estimate = coarse.mesh_errors()[0];
       const double    error    = std::abs(contact.max_pressure / exact - 1.);
@@ -119,7 +119,7 @@ wear_out(std::deque<WearingBushing> &&bushings)
   WearProcess process(wear, std::move(bushings));
   process.renew_duty_cycle(make_duty_cycle());
   process.solve_contacts();
-  CoarseRun coarse(wear, process.bushings());
+  CoarseRun coarse(wear, process);
   coarse.start(process);
   while (process.state().cycles < 2000.)
     {
