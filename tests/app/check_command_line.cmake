@@ -50,8 +50,9 @@ run(--check template.prm --output results
   --set "Driver driver/Body=body"
   --set "Driver driver/Speed=60 rpm"
   --set "Force force/Marker=body.O"
-  --set "Torque torque/Body=body")
-expect_match("\nMechanism: 1 body, 1 joint, 0 degrees of freedom\nTime: about [0-9.e-]+ s \\(the motion\\)\nThe file is in order; nothing was written\\.\n$")
+  --set "Torque torque/Body=body"
+  --set "Load case load_case/Cycles=1")
+expect_match("\nMechanism: 1 body, 1 joint, 0 degrees of freedom\nLoad case load_case: 100 % of the cycles, 1 s each\nTime: about [0-9.e-]+ s \\(the motion\\)\nThe file is in order; nothing was written\\.\n$")
 expect_files(template.prm)
 
 # Each parameter of the template is explained: a comment stands above it.

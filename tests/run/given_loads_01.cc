@@ -52,8 +52,6 @@ namespace
   void
   compare(const std::string &what, const double depth, const double known)
   {
-    std::cerr << what << ": " << depth << ' ' << known << ' '
-              << depth / known - 1. << std::endl;
     std::cout << what << ": " << (std::abs(depth / known - 1.) < 1e-9)
               << std::endl;
   }
@@ -76,10 +74,11 @@ main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const std::string cycles = "set Cycles = 1000\n";
-  const std::string kept   = cycles +
-                           "subsection Wear\n  set Dynamics update = 1\nend\n"
-                           "subsection Force load\n  set Time function = 1 + "
-                           "0.5*sin(pi*t)\nend\n";
+  const std::string kept =
+    cycles +
+    "subsection Wear\n  set Dynamics update = 0.999\nend\n"
+    "subsection Force load\n  set Time function = 1 + "
+    "0.5*sin(pi*t)\nend\n";
   const double  with_mechanism = depth_of("loaded_shaft", kept);
   std::ifstream own("given_loads_01.results/bearing/duty_cycle_0000.csv");
   std::ofstream("own.csv") << own.rdbuf();

@@ -89,7 +89,6 @@ namespace
   void
   print(const std::string &what, const double error, const double bound)
   {
-    std::cerr << what << ": " << error << std::endl;
     std::cout << what << " to " << 100. * bound
               << " %: " << (std::abs(error) <= bound) << std::endl;
   }
