@@ -551,10 +551,8 @@ namespace Tribody
     std::array<std::vector<Assignment>, 2> parts;
     for (const Assignment &assignment : assignments)
       {
-        const bool is_named =
-          std::find(paths.begin(),
-                    paths.end(),
-                    path_within(subsection, assignment)) != paths.end();
+        const std::string path = path_within(subsection, assignment);
+        const bool is_named = std::count(paths.begin(), paths.end(), path) > 0;
         parts[is_named ? 1 : 0].push_back(assignment);
       }
     return parts;
@@ -605,9 +603,10 @@ namespace Tribody
       {
         for (const std::string &name : assignment.subsections)
           text << "subsection " << name << '\n';
-        const bool is_file = std::find(file_entries.begin(),
-                                       file_entries.end(),
-                                       assignment.name) != file_entries.end();
+        const bool is_file =
+          !assignment.value.empty() && std::count(file_entries.begin(),
+                                                  file_entries.end(),
+                                                  assignment.name) > 0;
         text << "  set " << assignment.name << " = "
              << (is_file
                    ? full_path(beside(assignment.location, assignment.value))

@@ -630,8 +630,9 @@ namespace Tribody
                   {"Young's modulus", "Poisson's ratio", "Density"});
         for (const BushingParameters &bushing : parameters.bushings)
           {
-            require("Bushing " + bushing.name,
-                    {"Axial length", "Wear coefficient"});
+            require("Bushing " + bushing.name, {"Axial length"});
+            if (bushing.wear_coefficient_table.empty())
+              require("Bushing " + bushing.name, {"Wear coefficient"});
             if (!bushing.mesh_file.is_given())
               require("Bushing " + bushing.name, {"Outer radius"});
           }
@@ -717,6 +718,24 @@ namespace Tribody
                        "there is no mechanism where the loads of "
                        "bushings come from a 'Duty cycle file'; leave "
                        "bodies, drivers, springs and forces out"));
+        const Multibody::MechanismParameters &mechanism = parameters.mechanism;
+        const auto refuse = [](const char *list, const std::size_t n) {
+          AssertThrow(n == 0,
+                      ExcParameter(list,
+                                   "there is no mechanism where the loads of "
+                                   "bushings come from a 'Duty cycle file'; "
+                                   "leave this out"));
+        };
+        refuse("Drivers", mechanism.drivers.size());
+        refuse("Springs", mechanism.springs.size());
+        refuse("Rotational springs", mechanism.rotational_springs.size());
+        refuse("Forces", mechanism.forces.size());
+        refuse("Torques", mechanism.torques.size());
+        refuse("Watched markers", mechanism.watched_markers.size());
+        AssertThrow(parameters.wear.scheme == WearScheme::staggered,
+                    ExcParameter("Wear/Scheme",
+                                 "'coupled' is about the motion, and loads "
+                                 "from a 'Duty cycle file' have none"));
         AssertThrow(parameters.mechanism.joints.size() == loads.size(),
                     ExcParameter("Joints",
                                  "where loads come from a 'Duty cycle file', "

@@ -223,17 +223,19 @@ namespace Tribody
     RunRecorder::write_fields(const RunState                   &state,
                               const std::deque<WearingBushing> &bushings)
     {
+      // At first all; those that have had their turn do not change any more.
       for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
-        {
-          const LoadCase &load_case = parameters.load_cases[i];
-          write_cycle_tables(directory,
-                             load_case.mechanism,
-                             state.duty_cycles[i],
-                             load_case.name,
-                             n_outputs);
-          if (mechanisms[i] != nullptr)
-            write_mechanism(i, state.duty_cycles[i]);
-        }
+        if (n_outputs == 0 || state.shares[i] > 0.)
+          {
+            const LoadCase &load_case = parameters.load_cases[i];
+            write_cycle_tables(directory,
+                               load_case.mechanism,
+                               state.duty_cycles[i],
+                               load_case.name,
+                               n_outputs);
+            if (mechanisms[i] != nullptr)
+              write_mechanism(i, state.duty_cycles[i]);
+          }
       for (std::size_t j = 0; j < bushings.size(); ++j)
         {
           write_bushing(state, bushings[j], state.joints[j].contact);
@@ -317,12 +319,14 @@ namespace Tribody
            ++m)
         {
           double largest = 0., rms = 0.;
-          for (const Multibody::DutyCycle &cycle : state.duty_cycles)
-            {
-              const Multibody::WatchedPath &path = cycle.watched_paths[m];
-              largest = std::max(largest, path.largest_deviation());
-              rms     = std::max(rms, path.rms_deviation());
-            }
+          for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+            if (state.shares[i] > 0.)
+              {
+                const Multibody::WatchedPath &path =
+                  state.duty_cycles[i].watched_paths[m];
+                largest = std::max(largest, path.largest_deviation());
+                rms     = std::max(rms, path.rms_deviation());
+              }
           row.insert(row.end(), {largest, rms});
         }
       history->write_row(row);

@@ -256,12 +256,12 @@ namespace Tribody
     void
     WearSimulation::start()
     {
-      run_dynamics();
+      run_dynamics(parameters.spectrum.shares(state().cycles));
       solve_contacts();
       if (needs_more_samples())
         {
           // Now the arcs of contact are known.
-          run_dynamics();
+          run_dynamics(parameters.spectrum.shares(state().cycles));
           solve_contacts();
         }
       else if (cases.size() > 1)
@@ -382,7 +382,7 @@ namespace Tribody
           deviation_limits.are_set())
         {
           kept_since = state().cycles_at_dynamics;
-          run_dynamics();
+          run_dynamics(state().shares);
         }
       {
         dealii::TimerOutput::Scope scope(timer, "contact");
@@ -392,7 +392,7 @@ namespace Tribody
           parameters.spectrum.shares(state().cycles) != state().shares)
         {
           // The next load case has another motion.
-          run_dynamics();
+          run_dynamics(parameters.spectrum.shares(state().cycles));
           solve_contacts();
         }
     }
@@ -632,7 +632,7 @@ namespace Tribody
 
 
     void
-    WearSimulation::run_dynamics()
+    WearSimulation::run_dynamics(const Eigen::VectorXd &shares)
     {
       dealii::TimerOutput::Scope scope(timer, "dynamics");
 
@@ -651,7 +651,6 @@ namespace Tribody
         if (!state().joints[j].contact.samples.empty())
           arcs[process.bushings()[j].name()] =
             reach_of(state().joints[j].contact);
-      const Eigen::VectorXd shares = parameters.spectrum.shares(state().cycles);
       std::vector<Multibody::DutyCycle> cycles = state().duty_cycles;
       cycles.resize(cases.size());
       for (std::size_t i = 0; i < cases.size(); ++i)

@@ -45,10 +45,13 @@ namespace Tribody
           state.joints[j].depth.size() == run_state.joints[j].depth.size() &&
           state.joints[j].depth_at_compliance.size() ==
             run_state.joints[j].depth_at_compliance.size();
+      // One that has not begun has no load cases yet.
+      const bool has_begun = !state.duty_cycles.empty();
+      fits = fits && (!has_begun || state.duty_cycles.size() == factors.size());
       AssertThrow(fits,
                   ExcRun(
                     "The state is not one of these bushings: their number, "
-                    "or that of their nodes, differs."));
+                    "or that of their nodes or load cases, differs."));
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         joint_bushings[j].restore(state.joints[j].depth,
                                   state.joints[j].depth_at_compliance);
@@ -122,7 +125,11 @@ namespace Tribody
         merge_cycles(cycle.joint(joint_bushings[j].name()),
                      n_cycles,
                      merging_tolerance);
-      if (factors.size() == 1 || n_cycles > 1 || contact.samples.empty())
+      // What wears the bushing alone, and in proportion to the force, is all
+      // that is looked at.
+      const std::vector<WearingSurface> surfaces = joint_bushings[j].surfaces();
+      if (factors.size() == 1 || n_cycles > 1 || contact.samples.empty() ||
+          surfaces.size() > 1 || !surfaces.front().law.is_constant())
         return loads;
       // Smaller forces have narrower contacts.
       const double part = loads.mean_normal_force() /

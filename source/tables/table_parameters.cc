@@ -114,8 +114,13 @@ namespace Tribody
       const Eigen::Index last = values.size() - 1;
       if (values.size() < n_times)
         {
+          // An angle that goes on comes again some turns further.
+          double first = values[0];
+          if (quantity.turn != 0.)
+            first += quantity.turn *
+                     std::round((values[last] - first) / quantity.turn);
           values.conservativeResize(n_times);
-          values[n_times - 1] = values[0];
+          values[n_times - 1] = first;
           return;
         }
       double end = values[0];

@@ -129,9 +129,10 @@ namespace Tribody
       check_files(const Output::OutputDirectory &directory) const;
 
       /// One settled cycle of the mechanism with its worn joints in each load
-      /// case that has a share, on each rank.
+      /// case that has a share, on each rank; wear goes on with these @p
+      /// shares.
       void
-      run_dynamics();
+      run_dynamics(const Eigen::VectorXd &shares);
 
       void
       solve_contacts();

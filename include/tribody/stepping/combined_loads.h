@@ -33,7 +33,8 @@ namespace Tribody
      * force (BearingLoads::spread()). Smooth loads need few: the sum over a
      * period converges faster than any power of their number. Last comes the
      * largest load of all with no sliding, for the largest pressure. Unchanged
-     * if there is nothing to leave out.
+     * if there is nothing to leave out. Pins that wear, and coefficients that
+     * depend on the speed, are not looked at.
      */
     Multibody::BearingLoads
     thin_out(const Multibody::BearingLoads &loads,
