@@ -141,6 +141,7 @@ namespace Tribody
         record.time           = 0.5 * (time.head(n) + time.tail(n));
         JointDutyCycle &joint = record.joint;
         resize(joint, n);
+        joint.durations.resize(n);
         for (Eigen::Index i = 0; i <= n; ++i)
           {
             joint.force_between[i] = forces.col(i).norm();
@@ -165,9 +166,10 @@ namespace Tribody
             joint.contact_angle_bushing[i] = angle_of(force);
             joint.contact_angle_pin[i]     = positive_angle(
               joint.contact_angle_bushing[i] - 0.5 * (angle[i] + angle[i + 1]));
+            joint.durations[i]         = time[i + 1] - time[i];
             joint.sliding_increment[i] = radius * turned;
             joint.sliding_speed[i] =
-              joint.sliding_increment[i] / (time[i + 1] - time[i]);
+              joint.sliding_increment[i] / joint.durations[i];
             joint.sliding_halves.segment<2>(2 * i).setConstant(
               0.5 * joint.sliding_increment[i]);
           }

@@ -322,24 +322,40 @@ namespace Tribody
 
 
       Json
-      dynamics_to_json(const RunState &state, const Multibody::DutyCycle &cycle)
+      totals_to_json(const DynamicsTotals &totals)
+      {
+        return {{"constraint_drift_m", totals.constraint_drift},
+                {"settled", totals.all_settled},
+                {"message", totals.settling_message}};
+      }
+
+
+
+      // The last motion of a load case; of a run that has one, all of them.
+      Json
+      dynamics_to_json(const LoadCase             &load_case,
+                       const Multibody::DutyCycle &cycle,
+                       const DynamicsTotals       &totals)
       {
         const Multibody::SettlingReport      &settling   = cycle.settling;
         const Sundials::IntegratorStatistics &statistics = cycle.statistics;
 
-        Json json = {
-          {"joint_motion", cycle.is_quasi_static ? "quasi-static" : "dynamic"},
-          {"constraint_drift_m", state.dynamics.constraint_drift},
-          {"settled", state.dynamics.all_settled},
-          {"message", state.dynamics.settling_message},
-          {"settling_relative_difference", settling.repeat_difference},
-          {"settling_cycles", settling.n_cycles},
-          {"averaged_cycles", settling.n_averaged_cycles},
-          {"integration_steps", statistics.n_steps},
-          {"integration_steps_in_cycle", cycle.n_steps_in_cycle},
-          {"residual_evaluations", statistics.n_residuals},
-          {"jacobian_evaluations", statistics.n_jacobians},
-          {"restarts", statistics.n_restarts()}};
+        const char *motion = "dynamic";
+        if (load_case.given_duty_cycle)
+          motion = "given";
+        else if (cycle.is_quasi_static)
+          motion = "quasi-static";
+        Json json = {{"joint_motion", motion}};
+        json.update(totals_to_json(totals));
+        json.update(
+          Json{{"settling_relative_difference", settling.repeat_difference},
+               {"settling_cycles", settling.n_cycles},
+               {"averaged_cycles", settling.n_averaged_cycles},
+               {"integration_steps", statistics.n_steps},
+               {"integration_steps_in_cycle", cycle.n_steps_in_cycle},
+               {"residual_evaluations", statistics.n_residuals},
+               {"jacobian_evaluations", statistics.n_jacobians},
+               {"restarts", statistics.n_restarts()}});
         if (std::isfinite(settling.distance))
           json["settling_distance"] = settling.distance;
         const Multibody::EnergyRecord &energy = cycle.energy.cycle;
@@ -380,7 +396,14 @@ namespace Tribody
             Json of_case = {{"cycles", state.cycles_of_cases[i]},
                             {"period_s", cycle.period},
                             {"joints", Json::object()},
-                            {"dynamics", dynamics_to_json(state, cycle)}};
+                            {"dynamics",
+                             dynamics_to_json(parameters.load_cases[i],
+                                              cycle,
+                                              {{},
+                                               cycle.constraint_drift,
+                                               cycle.settling.converged,
+                                               cycle.settling.message,
+                                               ""})}};
             for (std::size_t j = 0; j < cycle.joints.size(); ++j)
               {
                 Json joint = Json::object();
@@ -424,10 +447,13 @@ namespace Tribody
                      {"compliance_builds", state.counts.compliance_builds}}},
                    {"joints", joints_to_json(parameters, results)},
                    {"dynamics",
-                    dynamics_to_json(state,
-                                     state.duty_cycles.empty()
-                                       ? Multibody::DutyCycle()
-                                       : state.duty_cycles.front())},
+                    parameters.load_cases.size() > 1
+                      ? totals_to_json(state.dynamics)
+                      : dynamics_to_json(parameters.load_cases.front(),
+                                         state.duty_cycles.empty()
+                                           ? Multibody::DutyCycle()
+                                           : state.duty_cycles.front(),
+                                         state.dynamics)},
                    {"error_estimate",
                     {{"max_wear_depth_relative",
                       results.depth_relative_error()},

@@ -51,6 +51,23 @@ namespace Tribody
 
 
 
+    void
+    in_load_case(const LoadCase &load_case, const std::function<void()> &action)
+    {
+      try
+        {
+          action();
+        }
+      catch (const ExcRun &exception)
+        {
+          if (load_case.name.empty())
+            throw;
+          throw ExcRun(load_case.subsection() + ": " + message_of(exception));
+        }
+    }
+
+
+
     OperatingCase::OperatingCase(const CaseParameters &parameters,
                                  const LoadCase       &load_case)
       : load_case(load_case)
@@ -73,19 +90,12 @@ namespace Tribody
     {
       if (load_case.given_duty_cycle)
         return *load_case.given_duty_cycle;
-      try
-        {
-          Multibody::DutyCycle cycle =
-            dynamics->run(clearances, supports, arcs, before);
-          name_load_case(load_case, cycle);
-          return cycle;
-        }
-      catch (const ExcRun &exception)
-        {
-          if (load_case.name.empty())
-            throw;
-          throw ExcRun(load_case.subsection() + ": " + message_of(exception));
-        }
+      Multibody::DutyCycle cycle;
+      in_load_case(load_case, [&]() {
+        cycle = dynamics->run(clearances, supports, arcs, before);
+      });
+      name_load_case(load_case, cycle);
+      return cycle;
     }
   } // namespace Coupling
 } // namespace Tribody

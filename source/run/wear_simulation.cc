@@ -291,11 +291,12 @@ namespace Tribody
               ? 0.
               : parameters.load_cases[i].dynamics.sampling_tolerance;
           for (std::size_t j = 0; j < state().joints.size(); ++j)
-            if (tolerance > 0. && state()
-                                      .duty_cycles[i]
-                                      .joint(process.bushings()[j].name())
-                                      .sampling_error(reach_of(
-                                        state().joints[j].contact)) > tolerance)
+            if (tolerance > 0. && state().shares[i] > 0. &&
+                state()
+                    .duty_cycles[i]
+                    .joint(process.bushings()[j].name())
+                    .sampling_error(reach_of(state().joints[j].contact)) >
+                  tolerance)
               return true;
         }
       return false;
@@ -337,7 +338,10 @@ namespace Tribody
       const double excess_after  = deviation_limits.excess(reached.duty_cycles);
       // Zero where that is near enough, which ends the search.
       const auto excess_after_wear_to = [&](const double cycles) {
-        restore(before);
+        // What the search costs counts, too.
+        RunState trial = before;
+        trial.counts   = state().counts;
+        restore(trial);
         while (state().cycles < cycles && state().stopped_by.empty())
           take_step(cycles);
         const double excess  = deviation_limits.excess(state().duty_cycles);
@@ -359,6 +363,7 @@ namespace Tribody
               return std::abs(b - a) <= tolerance * std::abs(b);
             },
             max_iterations);
+          reached.counts = state().counts;
           restore(reached);
         }
       process.set_stopped_by(deviation_limits.describe(state().duty_cycles));
@@ -661,6 +666,9 @@ namespace Tribody
               cycles[i] = cases[i].run(clearances, supports, arcs, &before);
             });
             take_forces_of_first_rank(cycles[i], communicator);
+            if (shares[i] > 0.)
+              in_load_case(parameters.load_cases[i],
+                           [&]() { process.check_duty_cycle(cycles[i]); });
           }
 
       const std::string told = state().dynamics.settling_message;

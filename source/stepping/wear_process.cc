@@ -81,12 +81,8 @@ namespace Tribody
       AssertDimension(cycles.size(), factors.size());
       std::vector<bool> was_quasi_static;
       for (std::size_t i = 0; i < cycles.size(); ++i)
-        {
-          if (shares[i] > 0.)
-            check_duty_cycle(cycles[i]);
-          was_quasi_static.push_back(i < run_state.duty_cycles.size() &&
-                                     run_state.duty_cycles[i].is_quasi_static);
-        }
+        was_quasi_static.push_back(i < run_state.duty_cycles.size() &&
+                                   run_state.duty_cycles[i].is_quasi_static);
       // Wear under other load cases has nothing to do with the last step.
       if (run_state.shares.size() > 0 && run_state.shares != shares)
         run_state.stepper = StepperState();

@@ -74,6 +74,11 @@ namespace Tribody
       /// The parameters of the joint @p name, which must exist.
       const Multibody::JointParameters &
       joint(const std::string &name) const;
+
+      /// Whether the loads of bushings come from files, so that there is no
+      /// mechanism.
+      bool
+      has_given_loads() const;
     };
 
     /**

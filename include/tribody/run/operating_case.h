@@ -8,12 +8,19 @@
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/multibody/system/mechanism.h>
 
+#include <functional>
 #include <optional>
 
 namespace Tribody
 {
   namespace Coupling
   {
+    /// Do this, and let errors name the load case, if it has a name.
+    /// @throws ExcRun as @p action does.
+    void
+    in_load_case(const LoadCase              &load_case,
+                 const std::function<void()> &action);
+
     /// A load case whose duty cycles can be computed.
     class OperatingCase
     {

@@ -65,6 +65,11 @@ namespace Tribody
       void
       restore(const RunState &state);
 
+      /// The premises of one load case, before wear goes on under it.
+      /// @throws ExcRun if a pin is not in its bore, or strains are too large.
+      void
+      check_duty_cycle(const Multibody::DutyCycle &cycle) const;
+
       /// Wear under @p cycles from now on, one per load case, of which each
       /// has its part of @p shares [-]. If the shares have changed, the next
       /// step begins as if it were the first one.
@@ -157,10 +162,6 @@ namespace Tribody
       // The loads of a load case that the wear of the joint needs.
       Multibody::BearingLoads
       make_loads(const Multibody::DutyCycle &cycle, const std::size_t j) const;
-
-      // Checks of the duty cycle of one load case.
-      void
-      check_duty_cycle(const Multibody::DutyCycle &cycle) const;
 
       void
       add_to_dynamics_totals(const Multibody::DutyCycle &cycle,

@@ -41,7 +41,8 @@ namespace Tribody
     double
     JointDutyCycle::mean_force() const
     {
-      return force().mean();
+      return durations.size() == 0 ? force().mean()
+                                   : force().dot(durations) / durations.sum();
     }
 
 

@@ -45,6 +45,8 @@ namespace Tribody
       /// these joints.
       bool has_contact_law = false;
 
+      /// Time that each sample stands for [s]; empty: the same for all.
+      Eigen::VectorXd durations;
       /// Total force, x component [N].
       Eigen::VectorXd force_x;
       /// Total force, y component [N].
