@@ -10,16 +10,33 @@
 #include <tribody/base/significant_digits.h>
 
 #include <cctype>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <vector>
 
 namespace Tribody
 {
+  // deal.II's functions have up to three variables, and the time, which is the
+  // fourth one here.
   template <int n_variables>
   struct Expression<n_variables>::Parser
   {
-    dealii::FunctionParser<n_variables> function;
+    static constexpr int  n_coordinates = n_variables < 4 ? n_variables : 3;
+    static constexpr bool has_time      = n_variables > n_coordinates;
+
+    dealii::FunctionParser<n_coordinates> function;
+
+    double
+    value(const dealii::Point<n_variables> &place)
+    {
+      dealii::Point<n_coordinates> coordinates;
+      for (unsigned int i = 0; i < n_coordinates; ++i)
+        coordinates[i] = place[i];
+      if constexpr (has_time)
+        function.set_time(place[n_coordinates]);
+      return function.value(coordinates);
+    }
   };
 
 
@@ -105,25 +122,27 @@ namespace Tribody
 
 
     // deal.II writes the parser's words to the screen and then throws.
-    template <int n_variables>
+    template <int n_variables, typename Parser>
     bool
     parse(const std::string                      &text,
           const ExpressionVariables<n_variables> &variables,
-          dealii::FunctionParser<n_variables>    &function)
+          Parser                                 &parser)
     {
       std::ostringstream    words;
       std::streambuf *const to_screen  = std::cerr.rdbuf(words.rdbuf());
       bool                  is_correct = true;
       try
         {
-          function.initialize(boost::algorithm::join(variables.names, ","),
-                              text,
-                              {{"pi", dealii::numbers::PI}});
+          parser.function.initialize(boost::algorithm::join(variables.names,
+                                                            ","),
+                                     text,
+                                     {{"pi", dealii::numbers::PI}},
+                                     Parser::has_time);
           // The first evaluation builds the parser of this thread.
           dealii::Point<n_variables> place;
           for (unsigned int i = 0; i < n_variables; ++i)
             place[i] = 1.;
-          function.value(place);
+          parser.value(place);
         }
       catch (const std::exception &)
         {
@@ -149,6 +168,7 @@ namespace Tribody
     const std::string                      &text,
     const ExpressionVariables<n_variables> &variables)
     : path(path)
+    , text(text)
     , variables(variables)
   {
     if (read_number(text, constant))
@@ -156,7 +176,7 @@ namespace Tribody
     check_meaning(path, text);
     const auto made = std::make_shared<Parser>();
     AssertThrow(
-      parse(text, variables, made->function),
+      parse(text, variables, *made),
       ExcParameter(path,
                    in_quotes(text) + " is not an expression of " +
                      variables.description + ". Write for example " +
@@ -172,7 +192,26 @@ namespace Tribody
   double
   Expression<n_variables>::value(const dealii::Point<n_variables> &place) const
   {
-    return parser ? parser->function.value(place) : constant;
+    return parser ? parser->value(place) : constant;
+  }
+
+
+
+  template <int n_variables>
+  bool
+  Expression<n_variables>::contains(const std::string &name) const
+  {
+    const auto is_part_of_word = [this](const std::size_t i) {
+      return i < text.size() &&
+             (std::isalnum(static_cast<unsigned char>(text[i])) != 0 ||
+              text[i] == '_');
+    };
+    for (std::size_t i = text.find(name); i != std::string::npos;
+         i             = text.find(name, i + 1))
+      if ((i == 0 || !is_part_of_word(i - 1)) &&
+          !is_part_of_word(i + name.size()))
+        return true;
+    return false;
   }
 
 
@@ -182,15 +221,17 @@ namespace Tribody
   Expression<n_variables>::error_at(const dealii::Point<n_variables> &place,
                                     const std::string &problem) const
   {
+    // What is not known, nothing depends on.
     std::string where;
     for (unsigned int i = 0; i < n_variables; ++i)
-      where += (i > 0 ? ", " : "") + variables.names[i] + " = " +
-               significant_digits(place[i], 6) + " " + variables.units[i];
+      if (std::isfinite(place[i]) || contains(variables.names[i]))
+        where += (where.empty() ? "" : ", ") + variables.names[i] + " = " +
+                 significant_digits(place[i], 6) + " " + variables.units[i];
     return ExcRun(path + " " + problem + " at " + where);
   }
 
 
 
   template class Expression<1>;
-  template class Expression<3>;
+  template class Expression<4>;
 } // namespace Tribody

@@ -159,12 +159,12 @@ namespace Tribody
           prm,
           "Wear coefficient table",
           p.wear_coefficient_table,
-          "File with k(p, v) of the bushing instead of the 'Wear "
+          "File with k(p, v, T) of the bushing instead of the 'Wear "
           "coefficient', relative to this one; empty: none. CSV with the "
-          "header 'pressure [MPa], speed [m/s], wear coefficient "
-          "[mm^3/(N m)]', in any units of UDUNITS-2: each local pressure with "
-          "each speed, rising, or one of the two columns. Bilinear between, "
-          "constant beyond them.");
+          "header 'pressure [MPa], speed [m/s], temperature [degC], wear "
+          "coefficient [mm^3/(N m)]', in any units of UDUNITS-2: each local "
+          "pressure with each speed and temperature, rising, or one or two of "
+          "the three columns. Linear between, constant beyond them.");
         Parameters::add_choice(
           prm,
           "Wear coefficient basis",
@@ -188,9 +188,10 @@ namespace Tribody
           p.wear_coefficient_factor,
           "What the wear coefficient of the bushing is multiplied by: a number "
           "or an expression of the contact pressure p in Pa, the sliding speed "
-          "v "
-          "in m/s and the distance s in m that the joint has slid before, for "
-          "example '(p/1e6)^0.5'. Not negative, and smooth in p.");
+          "v in m/s, the distance s in m that the joint has slid before, and "
+          "the temperature T in K of the contact, which 'Heat' computes; for "
+          "example '(p/1e6)^0.5' or 'exp((T - 293.15)/40)'. Not negative, and "
+          "smooth in p.");
         Parameters::add_text(prm,
                              "Pin wear coefficient factor",
                              p.pin_wear_coefficient_factor,
@@ -279,6 +280,9 @@ namespace Tribody
       add_wear(prm, *this);
       add_limits(prm, *this);
       add_comparison(prm, *this);
+      prm.enter_subsection("Heat");
+      heat.add_parameters(prm);
+      prm.leave_subsection();
       prm.enter_subsection("Mesh");
       mesh.add_parameters(prm);
       mesh_file.add_parameters(prm);
@@ -333,6 +337,7 @@ namespace Tribody
       wear_law();
       pin_wear_law();
       check_limits(joint);
+      check_heat(joint);
       rim_support.check("Bushing " + name);
       check_housing(joint);
       mesh.check(path + "Mesh");
@@ -388,6 +393,45 @@ namespace Tribody
                   limit.shown_unit) +
                 ". Set a larger limit, or 0 for none"));
         }
+    }
+
+
+
+    void
+    BushingParameters::check_heat(const Multibody::JointParameters &joint) const
+    {
+      const std::string path = "Bushing " + name;
+      heat.check(path + "/Heat", joint.bushing_material);
+      if (heat.is_on())
+        {
+          AssertThrow(!shares_mesh(),
+                      ExcParameter(path + "/Heat/Temperature",
+                                   "'steady' needs 'Stiffness solver = "
+                                   "direct', but it is '" +
+                                     name_of(stiffness_solver) + "'"));
+          AssertThrow(
+            !rim_support.is_housing() ||
+              joint.bushing_material.thermal_expansion == 0.,
+            ExcParameter(path + "/Heat/Temperature",
+                         "the expansion of a ring that lies in a 'housing' "
+                         "with a gap is not computed; choose another 'Outer "
+                         "support', or set 'Thermal expansion' of the material "
+                         "'" +
+                           joint.bushing_material.name + "' to 0"));
+          return;
+        }
+      const auto needs_none = [&](const Wear::WearLaw &law,
+                                  const std::string   &entry) {
+        AssertThrow(!law.depends_on_temperature(),
+                    ExcParameter(path + "/" + entry,
+                                 "depends on the temperature, which nobody "
+                                 "computes; write 'set Temperature = steady' "
+                                 "in the subsection 'Heat' of the bushing"));
+      };
+      needs_none(wear_law(),
+                 wear_coefficient_table.empty() ? "Wear coefficient factor"
+                                                : "Wear coefficient table");
+      needs_none(pin_wear_law(), "Pin wear coefficient factor");
     }
 
 

@@ -13,7 +13,6 @@
 #include <tribody/elasticity/pressure_models.h>
 #include <tribody/elasticity/ring_mesh.h>
 #include <tribody/elasticity/stress_postprocessor.h>
-#include <tribody/output/bushing_vtu.h>
 #include <tribody/surface/turned_interpolation.h>
 
 #include <algorithm>
@@ -75,6 +74,7 @@ namespace Tribody
                            outer_radius + parameters.rim_support.housing_gap};
       if (parameters.pin_is_elastic(joint))
         setup_pin(parameters, joint);
+      // Of the unworn bore, whatever wears.
       if (pressure_model == PressureModel::infinite_plate)
         plate_compliance =
           Elasticity::infinite_plate_compliance(surface,
@@ -149,6 +149,18 @@ namespace Tribody
 
 
     void
+    ElasticJoint::scale_modulus(const double factor)
+    {
+      if (factor == modulus_factor)
+        return;
+      modulus_factor = factor;
+      elasticity.scale_modulus(factor);
+      update_compliance();
+    }
+
+
+
+    void
     ElasticJoint::update_compliance()
     {
       // Of no depth, until it is complete.
@@ -172,7 +184,7 @@ namespace Tribody
     ElasticJoint::bushing_compliance() const
     {
       if (pressure_model == PressureModel::infinite_plate)
-        return plate_compliance;
+        return plate_compliance / modulus_factor;
       if (pressure_model == PressureModel::winkler_layer)
         return Elasticity::winkler_compliance(surface,
                                               elasticity.hooke(),
@@ -210,7 +222,8 @@ namespace Tribody
 
     void
     ElasticJoint::write_vtu(const std::string              &file_name,
-                            const Contact::ContactSolution &contact) const
+                            const Contact::ContactSolution &contact,
+                            const Output::TemperatureField &temperature) const
     {
       const auto write = [&]() {
         const Eigen::Matrix2Xd nodal_forces =
@@ -234,7 +247,8 @@ namespace Tribody
                                    contact.pressure,
                                    depth,
                                    elasticity.rim_nodes(),
-                                   contact.rim.pressure});
+                                   contact.rim.pressure,
+                                   temperature});
       };
       if (is_distributed(*triangulation))
         return write();

@@ -12,13 +12,15 @@ namespace Tribody
     ElasticSupport::ElasticSupport(const ElasticJoint      &joint,
                                    const BushingParameters &parameters,
                                    const double             pin_radius,
-                                   const PeriodicProfile   &pin_wear)
+                                   const PeriodicProfile   &pin_wear,
+                                   const Eigen::VectorXd   &closing)
       : name(parameters.name)
       , axial_length(parameters.axial_length)
       , pin_wear(pin_wear)
       , facing_angles(
           TurnedSurfaces::facing_node_angles(joint.bore(),
                                              joint.bore_nodes().positions))
+      , closing(closing)
       , solver(joint.bore(),
                joint.compliance(),
                pin_radius,
@@ -30,8 +32,9 @@ namespace Tribody
     ElasticSupport::Recess
     ElasticSupport::compute_recess(const double alpha) const
     {
-      Recess recess;
-      if (pin_wear.is_constant() && pin_wear.mean() == 0.)
+      Recess     recess;
+      const bool is_cold = closing.size() == 0;
+      if (is_cold && pin_wear.is_constant() && pin_wear.mean() == 0.)
         return recess;
       const Eigen::Index n = facing_angles.size();
       recess.value.resize(n);
@@ -41,7 +44,7 @@ namespace Tribody
         {
           const PeriodicProfile::Values wear =
             pin_wear.evaluate(facing_angles[i] - alpha);
-          recess.value[i]     = wear.value;
+          recess.value[i]     = is_cold ? wear.value : wear.value - closing[i];
           recess.slope[i]     = -wear.first_derivative;
           recess.curvature[i] = wear.second_derivative;
         }

@@ -38,7 +38,7 @@ namespace Tribody
         const Material &material = bushing.joint_parameters().bushing_material;
         Strains         strains;
         strains.pressure =
-          pressure / material.youngs_modulus *
+          pressure / bushing.youngs_modulus() *
           (1. - material.poissons_ratio * material.poissons_ratio);
         if (cycle.has_contact_law)
           strains.displacement =

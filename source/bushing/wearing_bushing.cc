@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
+#include <tribody/base/significant_digits.h>
+#include <tribody/base/units.h>
 #include <tribody/bushing/elastic_support.h>
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/contact/contact_solver.h>
@@ -66,6 +69,8 @@ namespace Tribody
         pin = std::make_unique<WearingPin>(elastic.bore(),
                                            joint.pin_radius,
                                            parameters.pin_wear_law());
+      if (parameters.heat.is_on())
+        heat = std::make_unique<WarmBushing>(parameters, joint, elastic);
     }
 
 
@@ -133,13 +138,20 @@ namespace Tribody
           contact.area_derivative.tail(worn_pin.depth.size()) =
             worn_pin.area_derivative(worn_pin.surface());
         }
+      if (heat != nullptr)
+        contact.force_over_sliding = Eigen::VectorXd::Zero(worn.depth.size());
       contact.samples.resize(loads.size());
+      double temperature = Wear::Sliding().temperature;
+      if (heat != nullptr)
+        temperature = warm.is_known() ? warm.contact_temperature
+                                      : parameters.heat.reference_temperature;
       for (Eigen::Index j = 0; j < loads.size(); ++j)
         contact.slidings.push_back(
           {loads.sliding_increment[j],
            loads.sliding_speed.size() > 0 ? loads.sliding_speed[j] : 0.,
            sliding_distance,
-           loads.wear_factor.size() > 0 ? loads.wear_factor[j] : 1.});
+           loads.wear_factor.size() > 0 ? loads.wear_factor[j] : 1.,
+           temperature});
       return contact;
     }
 
@@ -163,6 +175,9 @@ namespace Tribody
                                     joint.pin_radius,
                                     parameters.contact_solver,
                                     elastic.housing());
+      // A bore that comes nearer is a pin that comes nearer.
+      if (warm.is_known())
+        solver.set_pin_recess(-warm.closing);
 
       // Loads mostly follow from the two before with few nodes to change; the
       // same load on a similar bore differs less. But a cycle before may have
@@ -182,7 +197,10 @@ namespace Tribody
               start = Contact::extrapolate(
                 contact.samples[std::max(j - 2, own.begin)],
                 contact.samples[j - 1]);
-            if (pin)
+            if (pin && warm.is_known())
+              solver.set_pin_recess(contact.facings[j].to_bore(pin_depth) -
+                                    warm.closing);
+            else if (pin)
               solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
             Contact::ContactSolution &solution = contact.samples[j];
             const Eigen::Vector2d     force    = force_per_length(loads, j);
@@ -205,6 +223,8 @@ namespace Tribody
 
       loads.normal_force.maxCoeff(&contact.peak_sample);
       Ranks::sum(contact.removed_area, communicator);
+      if (heat != nullptr)
+        Ranks::sum(contact.force_over_sliding, communicator);
       Ranks::max(contact.peak_pressure, communicator);
       contact.max_pressure =
         dealii::Utilities::MPI::max(contact.max_pressure, communicator);
@@ -232,6 +252,8 @@ namespace Tribody
         contact.removed_area.tail(pin->profile().depth.size()) +=
           contact.facings[j].to_pin(
             pin->law().area_increments(forces, weights, sliding));
+      if (heat != nullptr)
+        contact.force_over_sliding += sliding.increment * forces;
     }
 
 
@@ -403,6 +425,97 @@ namespace Tribody
 
 
 
+    Warmth
+    WearingBushing::compute_warmth(const CycleContact &contact,
+                                   const double        power,
+                                   const double ambient_temperature) const
+    {
+      return heat != nullptr ? heat->compute(contact.force_over_sliding,
+                                             power,
+                                             ambient_temperature)
+                             : Warmth();
+    }
+
+
+
+    void
+    WearingBushing::set_warmth(const Warmth &warmth)
+    {
+      warm = warmth;
+      if (heat != nullptr)
+        {
+          elastic.scale_modulus(warm.is_known() ? heat->modulus_factor(warm)
+                                                : 1.);
+          check_clearance();
+        }
+    }
+
+
+
+    void
+    WearingBushing::check_clearance() const
+    {
+      if (!warm.is_known())
+        return;
+      // How much wider the bore is than the pin, across both.
+      const PeriodicProfile bore = clearance().bushing;
+      const double pin_wear      = pin ? pin->profile().depth.minCoeff() : 0.;
+      double       narrowest     = std::numeric_limits<double>::max();
+      for (const double angle : node_angles())
+        narrowest =
+          std::min(narrowest,
+                   bore.value(angle) + bore.value(angle + dealii::numbers::PI));
+      narrowest += 2. * pin_wear;
+      const auto celsius = [](const double temperature) {
+        return significant_digits(temperature - 273.15, 4) + " degC";
+      };
+      AssertThrow(
+        narrowest > 0.,
+        ExcRun("Joint " + name() +
+               ": no clearance is left when it is warm. At " +
+               celsius(warm.contact_temperature) + " in the contact and " +
+               celsius(warm.mean_temperature) +
+               " in the bushing, pin and bore have come nearer by " +
+               Units::to_string(
+                 std::strtod(significant_digits(warm.mean_closing(), 4).c_str(),
+                             nullptr),
+                 "m",
+                 "mm") +
+               ", of a clearance of " +
+               Units::to_string(joint.clearance(), "m", "mm") +
+               " at the 'Reference temperature'. It takes more clearance, "
+               "less friction, load or speed, a better path for the heat, or a "
+               "material that expands less"));
+    }
+
+
+
+    double
+    WearingBushing::temperature_tolerance() const
+    {
+      return heat != nullptr ? heat->tolerance()
+                             : std::numeric_limits<double>::infinity();
+    }
+
+
+
+    double
+    WearingBushing::friction_factor(const Warmth &warmth) const
+    {
+      return warmth.is_known() ? heat->friction_factor(warmth) : 1.;
+    }
+
+
+
+    double
+    WearingBushing::youngs_modulus() const
+    {
+      return joint.bushing_material.youngs_modulus *
+             (warm.is_known() ? heat->modulus_factor(warm) : 1.);
+    }
+
+
+
     PeriodicProfile
     WearingBushing::clearance_profile() const
     {
@@ -417,10 +530,15 @@ namespace Tribody
     WearingBushing::clearance() const
     {
       JointClearance surfaces{clearance_profile(), pin_wear_profile()};
-      if (const double gap = parameters.rim_support.housing_gap; gap > 0.)
-        surfaces.bushing = PeriodicProfile(
-          node_angles(),
-          (wear_profile.depth.array() + (joint.clearance() + gap)).matrix());
+      const double   gap = parameters.rim_support.housing_gap;
+      if (gap > 0. || warm.is_known())
+        {
+          Eigen::VectorXd clearance =
+            (wear_profile.depth.array() + (joint.clearance() + gap)).matrix();
+          if (warm.is_known())
+            clearance -= warm.closing;
+          surfaces.bushing = PeriodicProfile(node_angles(), clearance);
+        }
       return surfaces;
     }
 
@@ -432,7 +550,8 @@ namespace Tribody
       return std::make_shared<const ElasticSupport>(elastic,
                                                     parameters,
                                                     joint.pin_radius,
-                                                    pin_wear_profile());
+                                                    pin_wear_profile(),
+                                                    warm.closing);
     }
 
 
@@ -557,7 +676,10 @@ namespace Tribody
     WearingBushing::write_vtu(const std::string  &file_name,
                               const CycleContact &contact) const
     {
-      elastic.write_vtu(file_name, contact.at_peak_force());
+      Output::TemperatureField temperature;
+      if (warm.is_known())
+        temperature = {&heat->get_dof_handler(), &warm.temperature};
+      elastic.write_vtu(file_name, contact.at_peak_force(), temperature);
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -5,8 +5,8 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/in_quotes.h>
 #include <tribody/base/units.h>
-#include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_checks.h>
+#include <tribody/case/memory_estimate.h>
 
 #include <algorithm>
 #include <map>
@@ -227,6 +227,8 @@ namespace Tribody
             require("Bushing " + bushing.name, {"Wear coefficient"});
           if (!bushing.mesh_file.is_given())
             require("Bushing " + bushing.name, {"Outer radius"});
+          if (bushing.heat.is_on() && parameters.has_given_loads())
+            require("Joint " + bushing.name, {"Friction coefficient"});
         }
     }
 
@@ -252,6 +254,12 @@ namespace Tribody
     {
       for (const Material &material : parameters.materials)
         material.check();
+      AssertThrow(parameters.ambient_temperature > 0.,
+                  ExcParameter("Ambient temperature",
+                               Units::to_string(parameters.ambient_temperature,
+                                                "K",
+                                                "degC") +
+                                 " is below absolute zero"));
       parameters.dynamics.check();
       parameters.wear.check();
       check_cycles_per_step(parameters);

@@ -222,6 +222,13 @@ namespace Tribody
                             parameters.mechanism.gravity,
                             "m/s^2",
                             "Acceleration of gravity in global axes.");
+      Parameters::add_quantity(prm,
+                               "Ambient temperature",
+                               parameters.ambient_temperature,
+                               "K",
+                               "Of the surroundings of all joints, for those "
+                               "that have a 'Heat/Temperature'.",
+                               "degC");
 
       prm.enter_subsection("Ground");
       parameters.mechanism.ground.add_parameters(prm);

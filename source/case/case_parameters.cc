@@ -173,9 +173,13 @@ namespace Tribody
                                        "/Duty cycle file",
                                      "is not set; where one bushing has its "
                                      "loads from a file, all have"));
-            loads.push_back({bushing.name,
-                             bushing.duty_cycle_file,
-                             parameters.joint(bushing.name).bushing_radius});
+            const Multibody::JointParameters &joint =
+              parameters.joint(bushing.name);
+            loads.push_back(
+              {bushing.name,
+               bushing.duty_cycle_file,
+               joint.bushing_radius,
+               bushing.heat.is_on() ? joint.friction_coefficient : 0.});
           }
         AssertThrow(
           parameters.mechanism.bodies.empty(),
@@ -265,8 +269,9 @@ namespace Tribody
       void
       complete(LoadCase &load_case, const CaseParameters &parameters)
       {
-        load_case.mechanism = parameters.mechanism;
-        load_case.dynamics  = parameters.dynamics;
+        load_case.mechanism           = parameters.mechanism;
+        load_case.dynamics            = parameters.dynamics;
+        load_case.ambient_temperature = parameters.ambient_temperature;
         if (parameters.has_given_loads())
           load_case.given_duty_cycle = read_given_loads(parameters);
         load_case.period = load_case.given_duty_cycle

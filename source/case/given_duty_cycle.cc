@@ -258,10 +258,12 @@ namespace Tribody
         const CsvTable table(loads.file_name);
         const bool     is_own = table.has_column("sliding_increment") &&
                             table.has_column("contact_angle_bushing");
-        Record record             = is_own ? read_own_record(table)
-                                           : read_time_record(table, loads.bushing_radius);
-        record.joint.name         = loads.joint;
-        record.joint.has_gap      = true;
+        Record record        = is_own ? read_own_record(table)
+                                      : read_time_record(table, loads.bushing_radius);
+        record.joint.name    = loads.joint;
+        record.joint.has_gap = true;
+        record.joint.friction_force =
+          loads.friction_coefficient * record.joint.normal_force;
         record.joint.state_shares = {{0., 0., 1.}};
         AssertThrow(record.joint.normal_force.maxCoeff() > 0.,
                     ExcInput(loads.file_name + ": there is no force"));

@@ -61,7 +61,7 @@ namespace Tribody
       bool
       may_differ(const std::string &path)
       {
-        if (path == "Gravity")
+        if (path == "Gravity" || path == "Ambient temperature")
           return true;
         const auto        slash      = path.find('/');
         const std::string subsection = path.substr(0, slash);
@@ -98,7 +98,8 @@ namespace Tribody
                         file.location(subsection + "/" + path) + ": " +
                         subsection + ": " + in_quotes(path) +
                         " is the same in all load cases. What may differ are "
-                        "'Gravity', masses and starts of bodies, friction and "
+                        "'Gravity', 'Ambient temperature', masses and starts "
+                        "of bodies, friction and "
                         "damping of joints, springs, drivers, forces, torques, "
                         "'Dynamics', the 'Duty cycle file' of bushings, and "
                         "the 'Wear coefficient factor'"));

@@ -63,7 +63,9 @@ namespace Tribody
       const Material                    &material,
       const PlaneState                   plane_state,
       const RimSupport                  &support)
-      : law(material, plane_state)
+      : material(material)
+      , plane_state(plane_state)
+      , law(material, plane_state)
       , support(support)
       , fe(dealii::FE_Q<2>(degree), 2)
       , dof_handler(triangulation)
@@ -106,6 +108,16 @@ namespace Tribody
         assemble_foundation(
           mapping, dof_handler, constraints, support, stiffness);
       is_assembled = true;
+    }
+
+
+
+    void
+    BushingElasticity::scale_modulus(const double factor)
+    {
+      Material scaled = material;
+      scaled.youngs_modulus *= factor;
+      law = PlaneHooke(scaled, plane_state);
     }
 
 
@@ -258,6 +270,27 @@ namespace Tribody
           rim_curve.normals(0, k) * displacement[rim.x_dofs[k]] +
           rim_curve.normals(1, k) * displacement[rim.y_dofs[k]];
       return rim_averages().transpose() * along_normals;
+    }
+
+
+
+    Eigen::VectorXd
+    BushingElasticity::thermal_displacement(
+      const dealii::Mapping<2, 2>    &mapping,
+      const Eigen::Matrix2Xd         &normals,
+      const dealii::DoFHandler<2, 2> &temperatures,
+      const dealii::Vector<double>   &rise,
+      const double                    expansion) const
+    {
+      const dealii::Vector<double> forces = compute_thermal_forces(
+        mapping, dof_handler, constraints, law, temperatures, rise, expansion);
+      const Eigen::VectorXd displacement = linear_solver().solve(
+        Eigen::Map<const Eigen::VectorXd>(forces.begin(), forces.size()));
+      Eigen::VectorXd along_normals(nodes.n_nodes());
+      for (Eigen::Index i = 0; i < nodes.n_nodes(); ++i)
+        along_normals[i] = normals(0, i) * displacement[nodes.x_dofs[i]] +
+                           normals(1, i) * displacement[nodes.y_dofs[i]];
+      return along_normals;
     }
 
 

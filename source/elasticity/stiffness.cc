@@ -10,6 +10,7 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <tribody/elasticity/stiffness.h>
 
@@ -90,6 +91,41 @@ namespace Tribody
         if (locks)
           add_volumetric_part(fe_values, pressures, law.lambda, cell_matrix);
       }
+
+
+
+      /// The values at the quadrature points of the polynomial of the element
+      /// @p polynomials that is nearest to @p values there.
+      std::vector<double>
+      project(const dealii::FEValues<2> &fe_values,
+              const dealii::FE_DGP<2>   &polynomials,
+              const std::vector<double> &values)
+      {
+        const unsigned int         m = polynomials.n_dofs_per_cell();
+        dealii::FullMatrix<double> mass(m, m);
+        dealii::Vector<double>     moments(m), coefficients(m);
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          {
+            const auto &point = fe_values.get_quadrature().point(q);
+            for (unsigned int a = 0; a < m; ++a)
+              {
+                const double weighted =
+                  polynomials.shape_value(a, point) * fe_values.JxW(q);
+                moments(a) += weighted * values[q];
+                for (unsigned int b = 0; b < m; ++b)
+                  mass(a, b) += weighted * polynomials.shape_value(b, point);
+              }
+          }
+        mass.gauss_jordan();
+        mass.vmult(coefficients, moments);
+        std::vector<double> projected(values.size(), 0.);
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          for (unsigned int a = 0; a < m; ++a)
+            projected[q] +=
+              coefficients(a) *
+              polynomials.shape_value(a, fe_values.get_quadrature().point(q));
+        return projected;
+      }
     } // namespace
 
 
@@ -124,6 +160,62 @@ namespace Tribody
           constraints.distribute_local_to_global(cell_matrix, dofs, matrix);
         }
       matrix.compress(dealii::VectorOperation::add);
+    }
+
+
+
+    dealii::Vector<double>
+    compute_thermal_forces(const dealii::Mapping<2, 2>             &mapping,
+                           const dealii::DoFHandler<2, 2>          &dof_handler,
+                           const dealii::AffineConstraints<double> &constraints,
+                           const PlaneHooke                        &law,
+                           const dealii::DoFHandler<2, 2> &temperatures,
+                           const dealii::Vector<double>   &rise,
+                           const double                    expansion)
+    {
+      const double stress_per_strain =
+        2. * (law.lambda + law.mu) * (1. + law.axial_ratio);
+
+      const auto             &fe = dof_handler.get_fe();
+      const dealii::QGauss<2> quadrature(fe.degree + 1);
+      const dealii::FE_DGP<2> polynomials(fe.degree - 1);
+      dealii::FEValues<2>     fe_values(mapping,
+                                    fe,
+                                    quadrature,
+                                    dealii::update_gradients |
+                                      dealii::update_JxW_values);
+      dealii::FEValues<2>     temperature_values(mapping,
+                                             temperatures.get_fe(),
+                                             quadrature,
+                                             dealii::update_values);
+      std::vector<double>     rise_in_cell(quadrature.size());
+      dealii::Vector<double>  forces(dof_handler.n_dofs());
+      dealii::Vector<double>  cell_forces(fe.n_dofs_per_cell());
+      std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          fe_values.reinit(cell);
+          const dealii::DoFHandler<2>::active_cell_iterator same_cell(
+            &temperatures.get_triangulation(),
+            cell->level(),
+            cell->index(),
+            &temperatures);
+          temperature_values.reinit(same_cell);
+          temperature_values.get_function_values(rise, rise_in_cell);
+          const std::vector<double> projected =
+            project(fe_values, polynomials, rise_in_cell);
+          cell_forces = 0.;
+          for (const unsigned int q : fe_values.quadrature_point_indices())
+            for (unsigned int i = 0; i < cell_forces.size(); ++i)
+              cell_forces(i) +=
+                stress_per_strain * expansion * projected[q] *
+                fe_values.shape_grad(i,
+                                     q)[fe.system_to_component_index(i).first] *
+                fe_values.JxW(q);
+          cell->get_dof_indices(dofs);
+          constraints.distribute_local_to_global(cell_forces, dofs, forces);
+        }
+      return forces;
     }
   } // namespace Elasticity
 } // namespace Tribody

@@ -5,6 +5,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
@@ -103,6 +104,10 @@ namespace Tribody
                                dealii::DataOut<2>::type_dof_data,
                                scalar_components);
       data_out.add_data_vector(fields.displacement, fields.stresses);
+      if (fields.temperature.values != nullptr)
+        data_out.add_data_vector(*fields.temperature.dof_handler,
+                                 *fields.temperature.values,
+                                 "temperature");
       data_out.build_patches(fields.worn_mapping,
                              fields.dof_handler.get_fe().degree,
                              dealii::DataOut<2>::curved_inner_cells);

@@ -3,6 +3,7 @@
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 #include <tribody/results/printed_summary.h>
+#include <tribody/results/rating.h>
 #include <tribody/results/warnings.h>
 
 #include <algorithm>
@@ -153,6 +154,29 @@ namespace Tribody
 
 
       void
+      print_heat(std::ostream &out, const Warmth &warmth)
+      {
+        const auto celsius = [](const double temperature) {
+          return significant_digits(temperature - 273.15, 4) + " degC";
+        };
+        out << "    heat: friction " << significant_digits(warmth.power, 4)
+            << " W";
+        if (warmth.shaft_power > 0.)
+          out << ", of which " << significant_digits(warmth.shaft_power, 3)
+              << " W leave through the shaft";
+        out << "; " << celsius(warmth.contact_temperature)
+            << " in the contact, at most " << celsius(warmth.max_temperature)
+            << ", bushing " << celsius(warmth.mean_temperature)
+            << " in the mean, surroundings "
+            << celsius(warmth.ambient_temperature)
+            << "; pin and bore are nearer by "
+            << significant_digits(1e3 * warmth.mean_closing(), 3) << " mm"
+            << std::endl;
+      }
+
+
+
+      void
       print_bushing(std::ostream            &out,
                     const BushingParameters &parameters,
                     const BushingResults    &results,
@@ -167,6 +191,9 @@ namespace Tribody
             << " MPa, half-angle at the largest force "
             << Units::degrees(contact.at_peak_force().half_angle) << " deg"
             << std::endl;
+        if (const Warmth &warmth = state.joints[results.number].warmth;
+            warmth.is_known())
+          print_heat(out, warmth);
         double balance = results.bushing.volume_balance_relative_error;
         if (results.pin)
           {
@@ -382,6 +409,22 @@ namespace Tribody
 
 
 
+      // Beside the catalogue of the bushing's maker.
+      void
+      print_rating(std::ostream &out, const Rating &rating)
+      {
+        out << "    rating: projected pressure, mean and largest, "
+            << significant_digits(1e-6 * rating.mean_pressure, 3) << " and "
+            << significant_digits(1e-6 * rating.max_pressure, 3)
+            << " MPa, speed " << significant_digits(rating.mean_speed, 3)
+            << " and " << significant_digits(rating.max_speed, 3) << " m/s, pv "
+            << significant_digits(1e-6 * rating.mean_pv, 3) << " and "
+            << significant_digits(1e-6 * rating.max_pv, 3) << " MPa m/s"
+            << std::endl;
+      }
+
+
+
       // In a load case, which has a line of its own if it has a name.
       void
       print_load(std::ostream                    &out,
@@ -447,14 +490,23 @@ namespace Tribody
              ++j)
           {
             const Multibody::JointDutyCycle &joint = cycles.front().joints[j];
+            const BushingResults *bushing = results.bushing(joint.name);
             out << "  " << joint.name << ":";
             if (cycles.size() > 1)
               out << std::endl;
             for (std::size_t i = 0; i < cycles.size(); ++i)
-              print_load(out,
-                         parameters.load_cases[i].name,
-                         cycles[i].joints[j]);
-            if (const BushingResults *bushing = results.bushing(joint.name))
+              {
+                print_load(out,
+                           parameters.load_cases[i].name,
+                           cycles[i].joints[j]);
+                if (bushing != nullptr)
+                  print_rating(out,
+                               rate(cycles[i].joints[j],
+                                    cycles[i].period,
+                                    parameters.bushings[bushing->number],
+                                    parameters.joint(joint.name)));
+              }
+            if (bushing != nullptr)
               print_bushing(out,
                             parameters.bushings[bushing->number],
                             *bushing,

@@ -251,9 +251,16 @@ namespace Tribody
     void
     RunRecorder::open_history(const std::string &file_name)
     {
-      std::vector<std::string> columns = {"cycles [-]",
-                                          "wear_step [-]",
-                                          "operating_time [s]"};
+      std::vector<std::string>       columns  = {"cycles [-]",
+                                                 "wear_step [-]",
+                                                 "operating_time [s]"};
+      const std::vector<std::string> comments = {
+        "A row per wear step. Depth: largest of the bore. Volume: measured "
+        "on the worn mesh. Forces: largest total and mean normal force of "
+        "the cycle, with load cases of all together.",
+        "Pressure: largest of the cycle. Clearance: largest, bore radius "
+        "minus pin radius plus depths. Pin: what wear has taken from its "
+        "radius and from its volume. Sliding: since the first cycle."};
       for (const BushingParameters &bushing : parameters.bushings)
         for (const char *column : {"max_wear_depth [m]",
                                    "worn_volume [m^3]",
@@ -265,21 +272,20 @@ namespace Tribody
                                    "pin_worn_volume [m^3]",
                                    "sliding_distance [m]"})
           columns.push_back(bushing.name + " " + column);
+      for (const BushingParameters &bushing : parameters.bushings)
+        if (bushing.heat.is_on())
+          for (const char *column : {"contact_temperature [K]",
+                                     "max_temperature [K]",
+                                     "closing [m]"})
+            columns.push_back(bushing.name + " " + column);
       for (const auto &marker : parameters.mechanism.watched_markers)
         for (const char *column :
              {"largest_deviation [m]", "rms_deviation [m]"})
           columns.push_back(marker.name + " " + column);
-      history = std::make_unique<TableWriter>(
-        file_name,
-        std::vector<std::string>(
-          {"A row per wear step. Depth: largest of the bore. Volume: measured "
-           "on the worn mesh. Forces: largest total and mean normal force of "
-           "the cycle, with load cases of all together.",
-           "Pressure: largest of the cycle. Clearance: largest, bore radius "
-           "minus pin radius plus depths. Pin: what wear has taken from its "
-           "radius and from its volume. Sliding: since the first cycle."}),
-        columns,
-        TableKind::growing);
+      history = std::make_unique<TableWriter>(file_name,
+                                              comments,
+                                              columns,
+                                              TableKind::growing);
     }
 
 
@@ -314,6 +320,15 @@ namespace Tribody
                       bushing.pin_worn_volume(),
                       state.joints[j].totals.sliding_distance});
         }
+      for (std::size_t j = 0; j < bushings.size(); ++j)
+        if (bushings[j].bushing_parameters().heat.is_on())
+          {
+            const Warmth &warmth = state.joints[j].warmth;
+            row.insert(row.end(),
+                       {warmth.contact_temperature,
+                        warmth.max_temperature,
+                        warmth.mean_closing()});
+          }
       // The largest of all load cases.
       for (std::size_t m = 0; m < parameters.mechanism.watched_markers.size();
            ++m)

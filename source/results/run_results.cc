@@ -26,14 +26,14 @@ namespace Tribody
 
 
       // The closed form knows one direction of the force, one constant wear
-      // coefficient and no elasticity: contact within 45 deg of its mean
-      // direction, and wear deeper than the clearance.
+      // coefficient, no elasticity and no temperature: contact within 45 deg of
+      // its mean direction, and wear deeper than the clearance.
       bool
       crescent_applies(const WearingBushing            &bushing,
                        const Multibody::JointDutyCycle &cycle,
                        const double                     clearance)
       {
-        if (bushing.wearing_pin() != nullptr ||
+        if (bushing.wearing_pin() != nullptr || bushing.warmth().is_known() ||
             !bushing.surfaces().front().law.is_constant() ||
             !(clearance > 0.) || bushing.profile().max_depth() < clearance)
           return false;

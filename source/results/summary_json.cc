@@ -5,6 +5,7 @@
 #include <tribody/base/units.h>
 #include <tribody/base/version.h>
 #include <tribody/base/whole_file.h>
+#include <tribody/results/rating.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/results/warnings.h>
 
@@ -157,6 +158,34 @@ namespace Tribody
 
 
 
+      Json
+      heat_to_json(const Warmth &warmth)
+      {
+        return {{"friction_power_W", warmth.power},
+                {"shaft_power_W", warmth.shaft_power},
+                {"ambient_temperature_K", warmth.ambient_temperature},
+                {"contact_temperature_K", warmth.contact_temperature},
+                {"max_temperature_K", warmth.max_temperature},
+                {"mean_temperature_K", warmth.mean_temperature},
+                {"closing_m", warmth.mean_closing()},
+                {"residual_K", warmth.residual}};
+      }
+
+
+
+      Json
+      rating_to_json(const Rating &rating)
+      {
+        return {{"mean_pressure_Pa", rating.mean_pressure},
+                {"max_pressure_Pa", rating.max_pressure},
+                {"mean_speed_m_s", rating.mean_speed},
+                {"max_speed_m_s", rating.max_speed},
+                {"mean_pv_Pa_m_s", rating.mean_pv},
+                {"max_pv_Pa_m_s", rating.max_pv}};
+      }
+
+
+
       // What a joint has come to by its wear.
       Json
       wear_to_json(const CaseParameters &parameters,
@@ -182,6 +211,9 @@ namespace Tribody
         json["validity"]    = {{"pressure_over_modulus", strains.pressure},
                                {"penetration_over_wall", strains.displacement},
                                {"message", describe(strains)}};
+        if (const Warmth &warmth = state.joints[bushing.number].warmth;
+            warmth.is_known())
+          json["heat"] = heat_to_json(warmth);
         return json;
       }
 
@@ -217,6 +249,9 @@ namespace Tribody
                               bushing != nullptr ? bushing->clearance
                                                  : joint.clearance(),
                               results.state.dynamics.contact_losses[j]);
+        if (bushing != nullptr)
+          json["rating"] = rating_to_json(rate(
+            cycle, cycles.period, parameters.bushings[bushing->number], joint));
         if (cycle.has_contact_law)
           json["contact_law"] = contact_law_to_json(joint);
         if (cycle.creep_distance > 0.)

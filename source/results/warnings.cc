@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <tribody/base/significant_digits.h>
+#include <tribody/base/units.h>
+#include <tribody/results/rating.h>
 #include <tribody/results/warnings.h>
 
 #include <algorithm>
@@ -60,6 +62,45 @@ namespace Tribody
 
 
 
+      std::string
+      in_load_case(const std::string &load_case)
+      {
+        return load_case.empty() ? "" : "in load case " + load_case + " ";
+      }
+
+
+
+      // What the material of a bushing does not endure; a limit of zero is
+      // none.
+      void
+      warn_of_limit(const std::string    &joint,
+                    const char           *code,
+                    const std::string    &quantity,
+                    const double          value,
+                    const double          limit,
+                    const char           *si_unit,
+                    const char           *shown_unit,
+                    std::vector<Warning> &warnings)
+      {
+        const auto shown = [&](const double number) {
+          return Units::to_string(
+            std::strtod(significant_digits(number, 4).c_str(), nullptr),
+            si_unit,
+            shown_unit);
+        };
+        if (limit > 0. && value > limit)
+          warnings.push_back(
+            {code,
+             joint,
+             quantity + " is " + shown(value) +
+               ", more than the material of the bushing endures, " +
+               shown(limit) +
+               ": its wear coefficient does not hold there. It takes a larger "
+               "bushing, less load or speed, or another material"});
+      }
+
+
+
       void
       warn_of_bushing(const CaseParameters &parameters,
                       const BushingResults &bushing,
@@ -70,6 +111,18 @@ namespace Tribody
         const Strains  &strains = state.joints[bushing.number].totals.strains;
         if (strains.largest() > Strains::doubtful)
           warnings.push_back({"strains", bushing.name, describe(strains)});
+        const Material &material =
+          parameters.joint(bushing.name).bushing_material;
+        if (const Warmth &warmth = state.joints[bushing.number].warmth;
+            warmth.is_known())
+          warn_of_limit(bushing.name,
+                        "temperature_limit",
+                        "the largest temperature of the bore",
+                        warmth.max_temperature,
+                        material.limits.temperature,
+                        "K",
+                        "degC",
+                        warnings);
         const std::string refine =
           "refine 'Bushing " + bushing.name + "/Mesh/Bore cells'";
         if (bushing.mesh_oscillation > largest_oscillation)
@@ -101,6 +154,46 @@ namespace Tribody
 
 
 
+      void
+      warn_of_rating(const CaseParameters            &parameters,
+                     const BushingParameters         &bushing,
+                     const LoadCase                  &load_case,
+                     const Multibody::JointDutyCycle &loads,
+                     std::vector<Warning>            &warnings)
+      {
+        const Multibody::JointParameters &joint =
+          parameters.joint(bushing.name);
+        const MaterialLimits &limits = joint.bushing_material.limits;
+        const Rating rating     = rate(loads, load_case.period, bushing, joint);
+        const std::string where = in_load_case(load_case.name);
+        warn_of_limit(bushing.name,
+                      "pressure_limit",
+                      where + "the largest projected pressure",
+                      rating.max_pressure,
+                      limits.pressure,
+                      "Pa",
+                      "MPa",
+                      warnings);
+        warn_of_limit(bushing.name,
+                      "speed_limit",
+                      where + "the largest sliding speed",
+                      rating.max_speed,
+                      limits.speed,
+                      "m/s",
+                      "m/s",
+                      warnings);
+        warn_of_limit(bushing.name,
+                      "pv_limit",
+                      where + "the mean of projected pressure times speed",
+                      rating.mean_pv,
+                      limits.pv,
+                      "Pa m/s",
+                      "MPa m/s",
+                      warnings);
+      }
+
+
+
       // Joints that creep instead of being held.
       void
       warn_of_creep(const Multibody::JointDutyCycle &joint,
@@ -111,7 +204,7 @@ namespace Tribody
           warnings.push_back(
             {"held_by_friction",
              joint.name,
-             (load_case.empty() ? "" : "in load case " + load_case + " ") +
+             in_load_case(load_case) +
                "friction holds this joint: all of its " +
                significant_digits(1e3 * joint.creep_distance, 2) + " mm" +
                " per cycle is creep of the friction law, which is smooth at "
@@ -169,7 +262,15 @@ namespace Tribody
                           warnings);
           if (const BushingResults *bushing =
                 results.bushing(state.duty_cycles.front().joints[j].name))
-            warn_of_bushing(parameters, *bushing, results, warnings);
+            {
+              warn_of_bushing(parameters, *bushing, results, warnings);
+              for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+                warn_of_rating(parameters,
+                               parameters.bushings[bushing->number],
+                               parameters.load_cases[i],
+                               state.duty_cycles[i].joints[j],
+                               warnings);
+            }
         }
       warn_of_motion(parameters, state, warnings);
       if (state.unstable_step_reported)

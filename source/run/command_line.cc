@@ -9,8 +9,8 @@
 #include <tribody/base/in_quotes.h>
 #include <tribody/base/interruption.h>
 #include <tribody/base/version.h>
-#include <tribody/bushing/memory_estimate.h>
 #include <tribody/case/case_parameters.h>
+#include <tribody/case/memory_estimate.h>
 #include <tribody/output/output_directory.h>
 #include <tribody/run/command_line.h>
 #include <tribody/run/run_cost.h>

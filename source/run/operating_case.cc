@@ -68,6 +68,27 @@ namespace Tribody
 
 
 
+    LoadCase
+    with_friction_factors(const LoadCase                      &load_case,
+                          const std::map<std::string, double> &factors)
+    {
+      LoadCase result = load_case;
+      for (Multibody::JointParameters &joint : result.mechanism.joints)
+        if (const auto found = factors.find(joint.name); found != factors.end())
+          {
+            joint.friction_coefficient *= found->second;
+            joint.static_friction_coefficient *= found->second;
+          }
+      if (result.given_duty_cycle)
+        for (Multibody::JointDutyCycle &joint : result.given_duty_cycle->joints)
+          if (const auto found = factors.find(joint.name);
+              found != factors.end())
+            joint.friction_force *= found->second;
+      return result;
+    }
+
+
+
     OperatingCase::OperatingCase(const CaseParameters &parameters,
                                  const LoadCase       &load_case)
       : load_case(load_case)

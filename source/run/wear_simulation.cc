@@ -11,8 +11,8 @@
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
-#include <tribody/bushing/memory_estimate.h>
 #include <tribody/bushing/mesh_resolution.h>
+#include <tribody/case/memory_estimate.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
@@ -65,6 +65,7 @@ namespace Tribody
                                          &joint.contact_angle_pin,
                                          &joint.sliding_increment,
                                          &joint.sliding_speed,
+                                         &joint.friction_force,
                                          &joint.force_between,
                                          &joint.angle_between,
                                          &joint.sliding_halves,
@@ -113,6 +114,17 @@ namespace Tribody
         for (const LoadCase &load_case : parameters.load_cases)
           factors.push_back(load_case.wear_factor);
         return factors;
+      }
+
+
+
+      std::vector<double>
+      ambient_temperatures(const CaseParameters &parameters)
+      {
+        std::vector<double> temperatures;
+        for (const LoadCase &load_case : parameters.load_cases)
+          temperatures.push_back(load_case.ambient_temperature);
+        return temperatures;
       }
 
 
@@ -207,7 +219,8 @@ namespace Tribody
       , cases(make_operating_cases(parameters))
       , process(parameters.wear,
                 make_bushings(parameters, cases, communicator),
-                wear_factors(parameters))
+                wear_factors(parameters),
+                ambient_temperatures(parameters))
       , deviation_limits(parameters.mechanism.watched_markers)
     {}
 
@@ -269,6 +282,7 @@ namespace Tribody
           process.thin_out_loads();
           solve_contacts();
         }
+      settle_temperatures();
       if (!process.bushings().empty())
         deviation_limits.check_start(state().duty_cycles);
       if (parameters.wear.mesh_error_estimate != MeshErrorEstimate::none &&
@@ -389,6 +403,11 @@ namespace Tribody
           kept_since = state().cycles_at_dynamics;
           run_dynamics(state().shares);
         }
+      if (has_warm_joints())
+        {
+          solve_contacts();
+          settle_temperatures();
+        }
       {
         dealii::TimerOutput::Scope scope(timer, "contact");
         process.complete_step(kept_since);
@@ -399,7 +418,57 @@ namespace Tribody
           // The next load case has another motion.
           run_dynamics(parameters.spectrum.shares(state().cycles));
           solve_contacts();
+          settle_temperatures();
         }
+    }
+
+
+
+    bool
+    WearSimulation::has_warm_joints() const
+    {
+      return std::any_of(parameters.bushings.begin(),
+                         parameters.bushings.end(),
+                         [](const BushingParameters &bushing) {
+                           return bushing.heat.is_on();
+                         });
+    }
+
+
+
+    void
+    WearSimulation::settle_temperatures()
+    {
+      // A round makes the difference several times smaller where friction
+      // depends on the temperature as it usually does.
+      constexpr unsigned int max_rounds = 50;
+      if (!has_warm_joints() || process.bushings().empty())
+        return;
+      for (unsigned int round = 0; round < max_rounds; ++round)
+        {
+          {
+            dealii::TimerOutput::Scope scope(timer, "temperature");
+            if (process.update_warmth())
+              return;
+          }
+          if (process.duty_cycle_is_outdated())
+            run_dynamics(state().shares);
+          solve_contacts();
+        }
+      for (std::size_t j = 0; j < state().joints.size(); ++j)
+        if (const Warmth &warmth = state().joints[j].warmth;
+            warmth.residual > process.bushings()[j].temperature_tolerance())
+          throw ExcRun(
+            "Joint " + process.bushings()[j].name() +
+            ": its temperature comes to no end. After " +
+            std::to_string(max_rounds) +
+            " rounds of motion, contact and temperature it is " +
+            significant_digits(warmth.contact_temperature - 273.15, 4) +
+            " degC in the contact and has changed by " +
+            significant_digits(warmth.residual, 2) +
+            " K: friction that rises with the temperature may heat the joint "
+            "without bound. Look at the 'Friction factor', or allow a larger "
+            "'Temperature tolerance'");
     }
 
 
@@ -663,7 +732,7 @@ namespace Tribody
           {
             const Multibody::DutyCycle before = cycles[i];
             Ranks::run_together(communicator, [&]() {
-              cycles[i] = cases[i].run(clearances, supports, arcs, &before);
+              cycles[i] = run_case(i, clearances, supports, arcs, &before);
             });
             take_forces_of_first_rank(cycles[i], communicator);
             if (shares[i] > 0.)
@@ -678,6 +747,29 @@ namespace Tribody
         console.out() << (state().dynamics.all_settled ? "Note: the dynamics "
                                                        : "WARNING: dynamics ")
                       << message << "." << std::endl;
+    }
+
+
+
+    Multibody::DutyCycle
+    WearSimulation::run_case(
+      const std::size_t                             i,
+      const Multibody::CycleSimulation::Clearances &clearances,
+      const Multibody::CycleSimulation::Supports   &supports,
+      const Multibody::CycleSimulation::Arcs       &arcs,
+      const Multibody::DutyCycle                   *before) const
+    {
+      std::map<std::string, double> friction_factors;
+      for (const WearingBushing &bushing : process.bushings())
+        if (const double factor = bushing.friction_factor(bushing.warmth());
+            factor != 1.)
+          friction_factors.emplace(bushing.name(), factor);
+      if (friction_factors.empty())
+        return cases[i].run(clearances, supports, arcs, before);
+      const LoadCase warm =
+        with_friction_factors(parameters.load_cases[i], friction_factors);
+      return OperatingCase(parameters, warm)
+        .run(clearances, supports, arcs, before);
     }
 
 

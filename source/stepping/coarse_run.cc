@@ -46,7 +46,8 @@ namespace Tribody
                           MeshErrorEstimate::whole_run)
       , twin(parameters,
              make_coarse_bushings(parameters, run.bushings()),
-             run.wear_factors())
+             run.wear_factors(),
+             run.ambient_temperatures())
       , errors(run.bushings().size())
     {
       const std::deque<WearingBushing> &bushings = run.bushings();
@@ -61,8 +62,7 @@ namespace Tribody
     void
     CoarseRun::start(const WearProcess &run)
     {
-      twin.renew_duty_cycles(run.state().duty_cycles, run.state().shares);
-      twin.solve_contacts();
+      renew_duty_cycles(run);
       for (std::size_t c = 0; c < bushing_of_run.size(); ++c)
         {
           const std::size_t   j      = bushing_of_run[c];
@@ -76,6 +76,19 @@ namespace Tribody
           error.wear_depth = relative_difference(coarse.wear_rate.maxCoeff(),
                                                  fine.wear_rate.maxCoeff());
         }
+    }
+
+
+
+    void
+    CoarseRun::renew_duty_cycles(const WearProcess &run)
+    {
+      twin.renew_duty_cycles(run.state().duty_cycles, run.state().shares);
+      twin.solve_contacts();
+      // The motion is that of the run, and contacts do little to the
+      // temperature: one round is as good as more.
+      if (!twin.update_warmth())
+        twin.solve_contacts();
     }
 
 
@@ -105,8 +118,7 @@ namespace Tribody
     {
       if (!follows_whole_run || twin.bushings().empty())
         return;
-      twin.renew_duty_cycles(run.state().duty_cycles, run.state().shares);
-      twin.solve_contacts();
+      renew_duty_cycles(run);
       while (twin.state().cycles < run.state().cycles &&
              twin.state().stopped_by.empty())
         {

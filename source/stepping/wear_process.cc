@@ -15,13 +15,16 @@ namespace Tribody
   {
     WearProcess::WearProcess(const WearParameters        &parameters,
                              std::deque<WearingBushing> &&bushings,
-                             const std::vector<double>   &wear_factors)
+                             const std::vector<double>   &wear_factors,
+                             const std::vector<double>   &ambient_temperatures)
       : dynamics_update(parameters.dynamics_update)
       , joint_bushings(std::move(bushings))
       , stop_conditions(joint_bushings)
       , jump(make_jump(parameters, joint_bushings, stop_conditions))
       , factors(wear_factors)
+      , ambient(ambient_temperatures)
     {
+      AssertDimension(factors.size(), ambient.size());
       run_state.cycles_of_cases = Eigen::VectorXd::Zero(factors.size());
       for (const WearingBushing &bushing : joint_bushings)
         {
@@ -53,8 +56,11 @@ namespace Tribody
                     "The state is not one of these bushings: their number, "
                     "or that of their nodes or load cases, differs."));
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
-        joint_bushings[j].restore(state.joints[j].depth,
-                                  state.joints[j].depth_at_compliance);
+        {
+          joint_bushings[j].set_warmth(state.joints[j].warmth);
+          joint_bushings[j].restore(state.joints[j].depth,
+                                    state.joints[j].depth_at_compliance);
+        }
       run_state = state;
     }
 
@@ -91,8 +97,9 @@ namespace Tribody
       run_state.cycles_at_dynamics = run_state.cycles;
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         {
-          JointState &joint       = run_state.joints[j];
-          joint.depth_at_dynamics = joint.depth;
+          JointState &joint        = run_state.joints[j];
+          joint.depth_at_dynamics  = joint.depth;
+          joint.warmth_at_dynamics = joint.warmth;
           joint.loads_of_cases.clear();
           for (const Multibody::DutyCycle &cycle : cycles)
             joint.loads_of_cases.push_back(make_loads(cycle, j));
@@ -189,15 +196,87 @@ namespace Tribody
       bool is_outdated = false;
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         {
-          const JointState &joint = run_state.joints[j];
-          const double      change =
+          const JointState     &joint   = run_state.joints[j];
+          const WearingBushing &bushing = joint_bushings[j];
+          double                change =
             (joint.depth - joint.depth_at_dynamics).lpNorm<Eigen::Infinity>();
+          if (joint.warmth.is_known())
+            {
+              const double closed = joint.warmth.mean_closing() -
+                                    joint.warmth_at_dynamics.mean_closing();
+              change += std::abs(closed);
+              const double friction =
+                bushing.friction_factor(joint.warmth) /
+                bushing.friction_factor(joint.warmth_at_dynamics);
+              is_outdated =
+                is_outdated || std::abs(friction - 1.) > dynamics_update;
+            }
           is_outdated =
             is_outdated ||
-            change > dynamics_update *
-                       joint_bushings[j].largest_clearance(joint.depth);
+            change > dynamics_update * bushing.largest_clearance(joint.depth);
         }
       return is_outdated;
+    }
+
+
+
+    bool
+    WearProcess::update_warmth()
+    {
+      bool   have_settled = true;
+      double time = 0., temperature_over_time = 0.;
+      for (std::size_t i = 0; i < factors.size(); ++i)
+        {
+          const double of_case =
+            run_state.shares[i] * run_state.duty_cycles[i].period;
+          time += of_case;
+          temperature_over_time += of_case * ambient[i];
+        }
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        if (WearingBushing &bushing = joint_bushings[j];
+            bushing.bushing_parameters().heat.is_on())
+          {
+            JointState &joint = run_state.joints[j];
+            Warmth      warmth =
+              bushing.compute_warmth(joint.contact,
+                                     frictional_power(bushing.name()),
+                                     temperature_over_time / time);
+            const auto change = [&](double Warmth::*temperature) {
+              return std::abs(warmth.*temperature - joint.warmth.*temperature);
+            };
+            warmth.residual = std::max({change(&Warmth::contact_temperature),
+                                        change(&Warmth::max_temperature),
+                                        change(&Warmth::mean_temperature)});
+            joint.warmth.residual = warmth.residual;
+            if (warmth.residual <= bushing.temperature_tolerance())
+              continue;
+            have_settled = false;
+            joint.warmth = warmth;
+            bushing.set_warmth(warmth);
+            if (bushing.depth_at_compliance() != joint.depth_at_compliance)
+              ++run_state.counts.compliance_builds;
+            joint.depth_at_compliance = bushing.depth_at_compliance();
+          }
+      return have_settled;
+    }
+
+
+
+    double
+    WearProcess::frictional_power(const std::string &joint) const
+    {
+      double work = 0., time = 0.;
+      for (std::size_t i = 0; i < factors.size(); ++i)
+        if (run_state.shares[i] > 0.)
+          {
+            const Multibody::DutyCycle      &cycle = run_state.duty_cycles[i];
+            const Multibody::JointDutyCycle &of_joint = cycle.joint(joint);
+            work +=
+              run_state.shares[i] * of_joint.friction_force.cwiseAbs().dot(
+                                      of_joint.sliding_increment);
+            time += run_state.shares[i] * cycle.period;
+          }
+      return work / time;
     }
 
 

@@ -22,10 +22,10 @@ namespace Tribody
                                        const std::string &expression)
       : expression(path,
                    expression,
-                   {{{"p", "v", "s"}},
-                    {{"Pa", "m/s", "m"}},
-                    "the pressure p in Pa, the sliding speed v in m/s and the "
-                    "distance s slid so far in m",
+                   {{{"p", "v", "s", "T"}},
+                    {{"Pa", "m/s", "m", "K"}},
+                    "the pressure p in Pa, the sliding speed v in m/s, the "
+                    "distance s slid so far in m and the temperature T in K",
                     "'(p/1e6)^0.5' or '1 + 2*exp(-s/100)'"})
     {}
 
@@ -34,8 +34,12 @@ namespace Tribody
     double
     FactorExpression::value(const double pressure, const Sliding &sliding) const
     {
-      const dealii::Point<3> place(pressure, sliding.speed, sliding.distance);
-      const double           result = expression.value(place);
+      dealii::Point<4> place;
+      place[0]            = pressure;
+      place[1]            = sliding.speed;
+      place[2]            = sliding.distance;
+      place[3]            = sliding.temperature;
+      const double result = expression.value(place);
       if (!(result >= 0. && std::isfinite(result)))
         throw expression.error_at(place, "is negative or not a finite number");
       return result;
@@ -63,6 +67,15 @@ namespace Tribody
     {
       return std::visit(
         [&](const auto &f) { return f.evaluate(pressure, sliding); }, factor);
+    }
+
+
+
+    bool
+    depends_on_temperature(const CoefficientFactor &factor)
+    {
+      return std::visit(
+        [](const auto &f) { return f.depends_on_temperature(); }, factor);
     }
   } // namespace Wear
 } // namespace Tribody

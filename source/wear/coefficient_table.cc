@@ -27,8 +27,10 @@ namespace Tribody
       };
 
       // The order of the arguments of the interpolation.
-      const std::array<Quantity, 2> arguments = {
-        {{"pressure", "Pa", "MPa"}, {"speed", "m/s", "m/s"}}};
+      const std::array<Quantity, 3> arguments = {
+        {{"pressure", "Pa", "MPa"},
+         {"speed", "m/s", "m/s"},
+         {"temperature", "K", "degC"}}};
 
       const Quantity coefficient = {"wear coefficient", "Pa^-1", "mm^3/(N m)"};
 
@@ -59,7 +61,7 @@ namespace Tribody
         }
       };
 
-      using Grid = std::array<GridAxis, 2>;
+      using Grid = std::array<GridAxis, 3>;
 
 
 
@@ -123,26 +125,51 @@ namespace Tribody
       read_grid(const CsvTable &table)
       {
         for (const std::string &name : table.column_names())
-          AssertThrow(name == arguments[0].name || name == arguments[1].name ||
-                        name == coefficient.name,
+          AssertThrow(name == coefficient.name ||
+                        std::any_of(arguments.begin(),
+                                    arguments.end(),
+                                    [&name](const Quantity &argument) {
+                                      return argument.name == name;
+                                    }),
                       ExcInput(table.header_location() + ": the column " +
                                in_quotes(name) +
-                               " is none of 'pressure', 'speed', 'wear "
-                               "coefficient'"));
-        Grid grid = {
-          {read_axis(table, arguments[0]), read_axis(table, arguments[1])}};
-        AssertThrow(grid[0].is_given() || grid[1].is_given(),
+                               " is none of 'pressure', 'speed', "
+                               "'temperature', 'wear coefficient'"));
+        Grid grid;
+        for (std::size_t i = 0; i < grid.size(); ++i)
+          grid[i] = read_axis(table, arguments[i]);
+        AssertThrow(std::any_of(grid.begin(),
+                                grid.end(),
+                                [](const GridAxis &axis) {
+                                  return axis.is_given();
+                                }),
                     ExcInput(table.header_location() +
-                             ": there is neither a column 'pressure' nor a "
-                             "column 'speed' for the wear coefficient to "
+                             ": there is no column 'pressure', 'speed' or "
+                             "'temperature' for the wear coefficient to "
                              "depend on"));
         return grid;
       }
 
 
 
+      using Place = dealii::TableIndices<3>;
+
+      // All points, in the order of a table.
+      std::vector<Place>
+      places_of(const Grid &grid)
+      {
+        std::vector<Place> places;
+        for (std::size_t i = 0; i < grid[0].values.size(); ++i)
+          for (std::size_t j = 0; j < grid[1].values.size(); ++j)
+            for (std::size_t k = 0; k < grid[2].values.size(); ++k)
+              places.emplace_back(i, j, k);
+        return places;
+      }
+
+
+
       std::string
-      shown_point(const Grid &grid, const dealii::TableIndices<2> &place)
+      shown_point(const Grid &grid, const Place &place)
       {
         std::string text;
         for (std::size_t i = 0; i < grid.size(); ++i)
@@ -155,21 +182,23 @@ namespace Tribody
 
 
       // The coefficient at all points, whatever the order of the rows.
-      dealii::Table<2, double>
+      dealii::Table<3, double>
       read_coefficients(const CsvTable &table, const Grid &grid)
       {
         const Eigen::VectorXd    k = read_column(table, coefficient);
-        const std::size_t        n = grid[0].values.size();
-        const std::size_t        m = grid[1].values.size();
-        dealii::Table<2, double> coefficients(n, m);
+        dealii::Table<3, double> coefficients(grid[0].values.size(),
+                                              grid[1].values.size(),
+                                              grid[2].values.size());
 
         constexpr Eigen::Index         none = -1;
-        dealii::Table<2, Eigen::Index> rows(n, m);
+        dealii::Table<3, Eigen::Index> rows;
+        rows.reinit(coefficients.size());
         rows.fill(none);
         for (Eigen::Index row = 0; row < table.n_rows(); ++row)
           {
-            const dealii::TableIndices<2> place(grid[0].place_of(row),
-                                                grid[1].place_of(row));
+            const Place place(grid[0].place_of(row),
+                              grid[1].place_of(row),
+                              grid[2].place_of(row));
             AssertThrow(
               rows(place) == none,
               ExcInput(table.location(row) + ": " + shown_point(grid, place) +
@@ -177,13 +206,13 @@ namespace Tribody
             rows(place)         = row;
             coefficients(place) = k[row];
           }
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t j = 0; j < m; ++j)
-            AssertThrow(rows(i, j) != none,
-                        ExcInput(table.header_location() +
-                                 ": the table has no row for " +
-                                 shown_point(grid, {i, j}) +
-                                 "; each pressure needs each speed"));
+        for (const Place &place : places_of(grid))
+          AssertThrow(rows(place) != none,
+                      ExcInput(table.header_location() +
+                               ": the table has no row for " +
+                               shown_point(grid, place) +
+                               "; each value of a column needs each of the "
+                               "others"));
         return coefficients;
       }
 
@@ -191,18 +220,19 @@ namespace Tribody
 
       // The interpolation needs two values along each axis, the same ones
       // where nothing is known of it.
-      dealii::Table<2, double>
-      extend(Grid &grid, const dealii::Table<2, double> &k)
+      dealii::Table<3, double>
+      extend(Grid &grid, const dealii::Table<3, double> &k)
       {
         for (GridAxis &axis : grid)
           if (!axis.is_given())
             axis.values.push_back(1.);
-        dealii::Table<2, double> extended(grid[0].values.size(),
-                                          grid[1].values.size());
-        for (std::size_t i = 0; i < extended.size(0); ++i)
-          for (std::size_t j = 0; j < extended.size(1); ++j)
-            extended(i, j) =
-              k(grid[0].is_given() ? i : 0, grid[1].is_given() ? j : 0);
+        dealii::Table<3, double> extended(grid[0].values.size(),
+                                          grid[1].values.size(),
+                                          grid[2].values.size());
+        for (const Place &place : places_of(grid))
+          extended(place) = k(Place(grid[0].is_given() ? place[0] : 0,
+                                    grid[1].is_given() ? place[1] : 0,
+                                    grid[2].is_given() ? place[2] : 0));
         return extended;
       }
     } // namespace
@@ -213,19 +243,19 @@ namespace Tribody
     {
       const CsvTable           table(file_name);
       Grid                     grid = read_grid(table);
-      dealii::Table<2, double> k = extend(grid, read_coefficients(table, grid));
-      for (std::size_t i = 0; i < k.size(0); ++i)
-        for (std::size_t j = 0; j < k.size(1); ++j)
-          largest_value = std::max(largest_value, k(i, j));
+      dealii::Table<3, double> k = extend(grid, read_coefficients(table, grid));
+      for (const Place &place : places_of(grid))
+        largest_value = std::max(largest_value, k(place));
       AssertThrow(largest_value > 0.,
                   ExcInput(table.header_location() +
                            ": every wear coefficient is 0; one at least must "
                            "be positive"));
-      pressures     = {grid[0].values.front(), grid[0].values.back()};
-      interpolation = std::make_shared<
+      has_temperature = grid[2].is_given();
+      pressures       = {grid[0].values.front(), grid[0].values.back()};
+      interpolation   = std::make_shared<
         const dealii::Functions::InterpolatedTensorProductGridData<n_axes>>(
         std::array<std::vector<double>, n_axes>{
-          {grid[0].values, grid[1].values}},
+          {grid[0].values, grid[1].values, grid[2].values}},
         std::move(k));
     }
 
@@ -235,7 +265,9 @@ namespace Tribody
     CoefficientTable::evaluate(const double   pressure,
                                const Sliding &sliding) const
     {
-      const dealii::Point<n_axes> place(pressure, sliding.speed);
+      // Where nobody knows the temperature, the table has none.
+      const dealii::Point<n_axes> place(
+        pressure, sliding.speed, has_temperature ? sliding.temperature : 0.);
       // Beyond its grid the interpolation is constant, but its gradient is that
       // of the edge, against its documentation (deal.II 9.4).
       const bool is_beyond =

@@ -2,12 +2,25 @@
 
 #include <tribody/wear/wear_law.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Tribody
 {
   namespace Wear
   {
+    bool
+    WearLaw::depends_on_temperature() const
+    {
+      return std::any_of(factors.begin(),
+                         factors.end(),
+                         [](const CoefficientFactor &factor) {
+                           return Wear::depends_on_temperature(factor);
+                         });
+    }
+
+
+
     FactorValue
     WearLaw::evaluate(const double pressure, const Sliding &sliding) const
     {

@@ -61,21 +61,32 @@ main()
         }
     }
 
-  const ExpressionVariables<3> place{{{"p", "v", "s"}},
-                                     {{"Pa", "m/s", "m"}},
-                                     "p, v and s",
-                                     "'p'"};
-  const Expression<3>          product("Factor", "p*v^2 + sin(pi/2)*s", place);
-  std::cout << "three variables: "
-            << product.value(dealii::Point<3>(2., 3., 4.)) << std::endl;
-  const Expression<3>    pole("Factor", "1/(p - 1)", place);
-  const dealii::Point<3> at(1., 0.25, 1234567.);
-  std::cout << "no value: " << !std::isfinite(pole.value(at)) << ", "
-            << message_of(pole.error_at(at, "is not a finite number"))
+  const ExpressionVariables<4> variables{{{"p", "v", "s", "T"}},
+                                         {{"Pa", "m/s", "m", "K"}},
+                                         "p, v, s and T",
+                                         "'p'"};
+  const auto                   at =
+    [](const double p, const double v, const double s, const double T) {
+      dealii::Point<4> place;
+      place[0] = p;
+      place[1] = v;
+      place[2] = s;
+      place[3] = T;
+      return place;
+    };
+  const Expression<4> product("Factor", "p*v^2 + sin(pi/2)*s + T", variables);
+  std::cout << "four variables: " << product.value(at(2., 3., 4., 0.5)) << ", "
+            << product.value(at(2., 3., 4., 300.)) << "; has T "
+            << product.contains("T") << ", has i " << product.contains("i")
             << std::endl;
-  const Expression<3> five(5.);
-  std::cout << "given constant: " << five.is_constant() << ' ' << five.value(at)
+  const Expression<4> pole("Factor", "1/(p - 1)", variables);
+  const auto          place = at(1., 0.25, 1234567., std::nan(""));
+  std::cout << "no value: " << !std::isfinite(pole.value(place)) << ", "
+            << message_of(pole.error_at(place, "is not a finite number"))
             << std::endl;
+  const Expression<4> five(5.);
+  std::cout << "given constant: " << five.is_constant() << ' '
+            << five.value(place) << std::endl;
 
   std::cerr.rdbuf(to_screen);
   std::cout << "to the screen: '" << words.str() << "'" << std::endl;

@@ -31,10 +31,10 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/base/material.h>
 #include <tribody/bushing/elastic_joint.h>
 #include <tribody/bushing/elastic_support.h>
 #include <tribody/bushing/wearing_bushing.h>
+#include <tribody/material/material.h>
 #include <tribody/multibody/cycle/contact_interval.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/multibody/motion/dynamics_parameters.h>

@@ -14,9 +14,9 @@
 // - Where the solver starts from does not matter: both leave a residual of
 //   1e-12 and a compliance of a condition of 1e3 turns it into 1e-9.
 
-#include <tribody/base/material.h>
 #include <tribody/contact/contact_solver.h>
 #include <tribody/elasticity/pressure_models.h>
+#include <tribody/material/material.h>
 #include <tribody/surface/bore_surface.h>
 
 #include <algorithm>

@@ -68,6 +68,38 @@ test_values(const std::string &name, const CoefficientTable &table)
             << ", derivatives: " << (slope_error < 1e-12) << std::endl;
 }
 
+// k = (1 + 2 p)(3 - v)(1 + T/100) with T in degrees Celsius, and T alone.
+void
+test_temperature()
+{
+  const CoefficientTable table = read(
+    "temperature [degC], pressure [MPa], speed [m/s], wear coefficient "
+    "[mm^3/(N m)]\n"
+    "0, 1, 0, 9e-6\n0, 1, 1, 6e-6\n0, 2, 0, 15e-6\n0, 2, 1, 10e-6\n"
+    "100, 1, 0, 18e-6\n100, 1, 1, 12e-6\n100, 2, 0, 30e-6\n"
+    "100, 2, 1, 20e-6\n");
+  const CoefficientTable alone = read(
+    "temperature [K], wear coefficient [Pa^-1]\n300, 1e-15\n400, "
+    "2e-15\n");
+  double error = 0.;
+  for (const double T : {-10., 0., 35., 80., 120.})
+    {
+      const double  T_in = std::min(std::max(T, 0.), 100.);
+      const Sliding sliding{0.01, 0.3, 0., 1., T + 273.15};
+      error = std::max(error,
+                       std::abs(table.largest() *
+                                  table.evaluate(1.5e6, sliding).value / 1e-15 -
+                                exact(1.5, 0.3) * (1. + T_in / 100.)));
+    }
+  std::cout << "temperature: values right to 1e-11: " << (error < 1e-11)
+            << ", alone at 350 K: "
+            << alone.largest() *
+                 alone.evaluate(1e6, {0.01, 0.3, 0., 1., 350.}).value / 1e-15
+            << "e-15 /Pa; depend on it: " << table.depends_on_temperature()
+            << alone.depends_on_temperature()
+            << read(bilinear).depends_on_temperature() << std::endl;
+}
+
 void
 test_law()
 {
@@ -164,6 +196,7 @@ main()
                    "[MPa]\n"
                    "0\t9\t1\n0\t15\t2\n0\t33\t5\n1\t6\t1\n1\t10\t2\n1\t22\t5"
                    "\n"));
+  test_temperature();
   test_law();
   test_one_column();
   test_bad();

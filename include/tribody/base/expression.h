@@ -32,8 +32,8 @@ namespace Tribody
    * deal.II's FunctionParser: "sin(2*pi*t)". A number alone, however written,
    * is known as a constant and evaluated without a parser.
    *
-   * A plain value; copies share the parser, which never changes. Instantiated
-   * for one and three variables.
+   * A plain value; copies share the parser. Instantiated for one and four
+   * variables.
    */
   template <int n_variables>
   class Expression
@@ -59,6 +59,10 @@ namespace Tribody
       return parser == nullptr;
     }
 
+    /// Whether the text has the variable @p name.
+    bool
+    contains(const std::string &name) const;
+
     /// Whether it is the constant 1: a factor that need not be evaluated.
     bool
     is_one() const
@@ -75,9 +79,10 @@ namespace Tribody
     struct Parser;
 
     std::string                      path;
+    std::string                      text;
     ExpressionVariables<n_variables> variables;
     double                           constant;
-    std::shared_ptr<const Parser>    parser;
+    std::shared_ptr<Parser>          parser;
   };
 } // namespace Tribody
 

@@ -11,6 +11,7 @@
 #include <tribody/elasticity/rim_shape.h>
 #include <tribody/elasticity/rim_support.h>
 #include <tribody/elasticity/ring_mesh.h>
+#include <tribody/thermal/heat_parameters.h>
 #include <tribody/wear/wear_coefficient.h>
 #include <tribody/wear/wear_law.h>
 
@@ -150,6 +151,8 @@ namespace Tribody
       /// At which the run ends, one per entry of joint_limits(), in SI units;
       /// 0: none.
       std::vector<double> limits = std::vector<double>(joint_limits().size());
+      /// How it gets warm, and what that changes.
+      Thermal::HeatParameters heat;
       /// Values that the results are shown beside.
       Comparison comparison;
 
@@ -196,6 +199,11 @@ namespace Tribody
       /// Not negative, and not passed by the new joint.
       void
       check_limits(const Multibody::JointParameters &joint) const;
+
+      /// Temperatures where something depends on them, and only where they can
+      /// be computed.
+      void
+      check_heat(const Multibody::JointParameters &joint) const;
 
       /// A ring in a housing is not everything at once.
       void

@@ -14,6 +14,7 @@
 #include <tribody/elasticity/bushing_elasticity.h>
 #include <tribody/geometry/worn_configuration.h>
 #include <tribody/multibody/joints/joint_parameters.h>
+#include <tribody/output/bushing_vtu.h>
 #include <tribody/surface/bore_surface.h>
 #include <tribody/wear/wear_profile.h>
 
@@ -71,6 +72,42 @@ namespace Tribody
       compliance_depth() const
       {
         return depth_at_compliance;
+      }
+
+      /// Let Young's modulus of the bushing be @p factor times that of its
+      /// material; the compliance is computed anew if it changes.
+      void
+      scale_modulus(const double factor);
+
+      /**
+       * How far each bore node moves along its normal as the bushing gets
+       * warmer, worn as it is, with the stiffness of the compliance [m].
+       * @param temperatures on the mesh().
+       * @param rise over the temperature at which the bushing has its size,
+       *   over these degrees of freedom [K].
+       * @param expansion linear coefficient [1/K].
+       */
+      Eigen::VectorXd
+      thermal_displacement(const dealii::DoFHandler<2>  &temperatures,
+                           const dealii::Vector<double> &rise,
+                           const double                  expansion) const
+      {
+        return elasticity.thermal_displacement(
+          geometry.mapping(), surface.normals, temperatures, rise, expansion);
+      }
+
+      /// Of the bushing as manufactured.
+      const dealii::Triangulation<2> &
+      mesh() const
+      {
+        return *triangulation;
+      }
+
+      /// Of the mesh() onto the worn bushing.
+      const dealii::Mapping<2> &
+      mapping() const
+      {
+        return geometry.mapping();
       }
 
       /// As manufactured.
@@ -137,11 +174,13 @@ namespace Tribody
         return geometry.removed_area();
       }
 
-      /// Write displacement and stresses under @p contact, and the wear, to a
-      /// VTU file: the first rank does, or all together if they share the mesh.
+      /// Write displacement and stresses under @p contact, the wear, and the
+      /// @p temperature if it is known, to a VTU file: the first rank does, or
+      /// all together if they share the mesh.
       void
       write_vtu(const std::string              &file_name,
-                const Contact::ContactSolution &contact) const;
+                const Contact::ContactSolution &contact,
+                const Output::TemperatureField &temperature = {}) const;
 
     private:
       void
@@ -169,6 +208,7 @@ namespace Tribody
       double                        allowed_change;
       Geometry::WornConfiguration   geometry;
       Elasticity::BushingElasticity elasticity;
+      double                        modulus_factor = 1.;
       /// Of the unworn bushing at each bore node [m].
       Eigen::VectorXd node_walls;
 

@@ -7,6 +7,7 @@
 
 #include <tribody/bushing/bushing_parameters.h>
 #include <tribody/bushing/elastic_joint.h>
+#include <tribody/bushing/warm_bushing.h>
 #include <tribody/bushing/wearing_pin.h>
 #include <tribody/contact/contact_solution.h>
 #include <tribody/multibody/joints/joint_parameters.h>
@@ -54,6 +55,9 @@ namespace Tribody
       Eigen::VectorXd removed_area;
       /// Wear depth per cycle at each wearing node [m].
       Eigen::VectorXd wear_rate;
+      /// Sum of force per length times sliding at each bore node [N]: in these
+      /// parts friction heats it. Empty unless the joint gets warm.
+      Eigen::VectorXd force_over_sliding;
       /// Largest pressure of the cycle at each bore node [Pa].
       Eigen::VectorXd peak_pressure;
       /// Index of the sample with the largest normal force.
@@ -190,6 +194,41 @@ namespace Tribody
       void
       set_depth(const Eigen::VectorXd &depth);
 
+      /// The temperature for friction of the mean power @p power [W] that heats
+      /// the bore as in @p contact, in surroundings of @p ambient_temperature
+      /// [K]; nothing if nobody asks for it.
+      Warmth
+      compute_warmth(const CycleContact &contact,
+                     const double        power,
+                     const double        ambient_temperature) const;
+
+      /// Be as warm: its clearance, its modulus and what its wear coefficient
+      /// depends on follow. The default: as cold as manufactured.
+      /// @throws ExcRun if there is no clearance left.
+      void
+      set_warmth(const Warmth &warmth);
+
+      /// What set_warmth() was given.
+      const Warmth &
+      warmth() const
+      {
+        return warm;
+      }
+
+      /// Between two rounds, below which the temperatures agree [K]; infinite
+      /// if nobody asks for them.
+      double
+      temperature_tolerance() const;
+
+      /// What multiplies the friction coefficients of the joint if it is as
+      /// warm as @p warmth has it [-].
+      double
+      friction_factor(const Warmth &warmth) const;
+
+      /// Young's modulus of the bushing, as warm as it is [Pa].
+      double
+      youngs_modulus() const;
+
       /// Take the shape that a run has come to: surfaces worn by @p depth [m]
       /// with the compliance for @p depth_at_compliance [m], see there.
       void
@@ -238,7 +277,7 @@ namespace Tribody
       }
 
       /// Clearance between the unworn pin and the worn bore, c + h, over the
-      /// angle in the bushing's frame (eq. 28).
+      /// angle in the bushing's frame (eq. 28). The joint is cold.
       PeriodicProfile
       clearance_profile() const;
 
@@ -247,7 +286,8 @@ namespace Tribody
       PeriodicProfile
       pin_wear_profile() const;
 
-      /// The worn surfaces as the dynamics takes them. A ring without inertia
+      /// The worn and warm surfaces as the dynamics takes them. A ring without
+      /// inertia
       /// in a housing follows the pin until it touches that: the pin has the
       /// gap of the housing more to go, in all directions.
       JointClearance
@@ -259,7 +299,7 @@ namespace Tribody
 
       /// The largest clearance that surfaces worn by @p depth have when they
       /// turn: where both are deepest at the same place [m]. The gap of a
-      /// housing does not count.
+      /// housing does not count, and the joint is cold.
       double
       largest_clearance(const Eigen::VectorXd &depth) const;
 
@@ -375,6 +415,10 @@ namespace Tribody
                                const Eigen::Index     j,
                                const Eigen::MatrixXd &S) const;
 
+      /// @throws ExcRun if the pin does not fit its bore any more.
+      void
+      check_clearance() const;
+
       BushingParameters           parameters;
       Multibody::JointParameters  joint;
       MPI_Comm                    communicator;
@@ -382,6 +426,9 @@ namespace Tribody
       ElasticJoint                elastic;
       Wear::WearProfile           wear_profile;
       std::unique_ptr<WearingPin> pin;
+      /// Of a joint that gets warm.
+      std::unique_ptr<WarmBushing> heat;
+      Warmth                       warm;
     };
   } // namespace Coupling
 } // namespace Tribody

@@ -3,9 +3,9 @@
 #ifndef tribody_case_case_parameters_h
 #define tribody_case_case_parameters_h
 
-#include <tribody/base/material.h>
 #include <tribody/bushing/bushing_parameters.h>
 #include <tribody/case/load_case.h>
+#include <tribody/material/material.h>
 #include <tribody/multibody/motion/dynamics_parameters.h>
 #include <tribody/multibody/system/mechanism_parameters.h>
 #include <tribody/stepping/wear_parameters.h>
@@ -59,6 +59,8 @@ namespace Tribody
       /// Bodies, joints, drivers, springs and forces; joints know their
       /// materials. Those of the first load case.
       Multibody::MechanismParameters mechanism;
+      /// Of the surroundings of all joints [K]; likewise.
+      double ambient_temperature = 293.15;
       /// How the motion is computed and when it counts as settled; likewise.
       Multibody::DynamicsParameters dynamics;
       /// All that the file lists, whether something is made of them or not.

@@ -21,6 +21,8 @@ namespace Tribody
       std::string file_name;
       /// R_j [m].
       double bushing_radius;
+      /// For the heat of friction; 0 where nobody asks for it [-].
+      double friction_coefficient = 0.;
     };
 
     /**

@@ -40,6 +40,8 @@ namespace Tribody
       /// Multiplies the wear coefficients of bushings and pins [-].
       double wear_factor = 1.;
 
+      /// Of the surroundings of all joints [K].
+      double ambient_temperature = 293.15;
       /// The mechanism in this case: the same bodies and joints as in all.
       Multibody::MechanismParameters mechanism;
       /// Of one cycle [s].

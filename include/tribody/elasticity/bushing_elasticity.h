@@ -68,6 +68,11 @@ namespace Tribody
       void
       reinit(const dealii::Mapping<2, 2> &mapping);
 
+      /// Let Young's modulus be @p factor times that of the material, from the
+      /// next reinit() on.
+      void
+      scale_modulus(const double factor);
+
       /**
        * The displacement of every bore node along its normal under a unit
        * force along the normal of another one: @f$ C_{ij} = n_i \cdot u_j(x_i)
@@ -112,6 +117,22 @@ namespace Tribody
       MeshVector
       solve(const Eigen::Matrix2Xd &nodal_forces,
             const Eigen::Matrix2Xd &rim_forces = {}) const;
+
+      /**
+       * The displacement of every bore node along its normal if the bushing
+       * gets warmer, as the rim lets it [m].
+       * @param mapping that of the last reinit().
+       * @param temperatures on the same mesh, which is serial.
+       * @param rise over the temperature at which the bushing has its shape,
+       *   over these degrees of freedom [K].
+       * @param expansion alpha [1/K].
+       */
+      Eigen::VectorXd
+      thermal_displacement(const dealii::Mapping<2, 2>    &mapping,
+                           const Eigen::Matrix2Xd         &normals,
+                           const dealii::DoFHandler<2, 2> &temperatures,
+                           const dealii::Vector<double>   &rise,
+                           const double                    expansion) const;
 
       /// Add a displacement of the whole bushing by @p step [m].
       void
@@ -187,6 +208,8 @@ namespace Tribody
       Eigen::Index
       local(const dealii::types::global_dof_index dof) const;
 
+      Material                               material;
+      PlaneState                             plane_state;
       PlaneHooke                             law;
       RimSupport                             support;
       dealii::FESystem<2>                    fe;

@@ -4,7 +4,7 @@
 #define tribody_elasticity_plane_state_h
 
 #include <tribody/base/choice.h>
-#include <tribody/base/material.h>
+#include <tribody/material/material.h>
 
 namespace Tribody
 {

@@ -13,6 +13,8 @@ namespace dealii
   class DoFHandler;
   template <int dim, int spacedim>
   class Mapping;
+  template <typename Number>
+  class Vector;
 
   namespace TrilinosWrappers
   {
@@ -40,6 +42,33 @@ namespace Tribody
                        const dealii::AffineConstraints<double> &constraints,
                        const PlaneHooke                        &law,
                        dealii::TrilinosWrappers::SparseMatrix  &matrix);
+
+    /**
+     * The forces of a thermal strain @f$lphaartheta I@f$ that is held
+     * back (Duhamel and Neumann),
+     * @f[ f_i = \int 2(\lambda+\mu)(1 + a)\,lpha\,artheta\,
+     *
+abla\cdotarphi_i\,dx @f]
+     * with the axial ratio a of PlaneHooke: the axial strain is held back, too,
+     * in plane strain. In each cell the temperature counts with its projection
+     * on the polynomials of one degree less, so that an incompressible
+     * material can follow it.
+     *
+     * @param dof_handler of the displacement, on a serial mesh.
+     * @param constraints as in assemble_stiffness(); they are homogeneous.
+     * @param temperatures of a scalar element on the same mesh.
+     * @param rise over the stress-free temperature, @f$artheta@f$ [K].
+     * @param expansion alpha [1/K].
+     * @return f [N/m], zero where the displacement is constrained.
+     */
+    dealii::Vector<double>
+    compute_thermal_forces(const dealii::Mapping<2, 2>             &mapping,
+                           const dealii::DoFHandler<2, 2>          &dof_handler,
+                           const dealii::AffineConstraints<double> &constraints,
+                           const PlaneHooke                        &law,
+                           const dealii::DoFHandler<2, 2> &temperatures,
+                           const dealii::Vector<double>   &rise,
+                           const double                    expansion);
   } // namespace Elasticity
 } // namespace Tribody
 

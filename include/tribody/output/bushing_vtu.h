@@ -14,6 +14,8 @@ namespace dealii
 {
   template <int dim>
   class DataPostprocessor;
+  template <typename Number>
+  class Vector;
   template <int dim, int spacedim>
   class Mapping;
 } // namespace dealii
@@ -22,6 +24,16 @@ namespace Tribody
 {
   namespace Output
   {
+    /// A temperature [K] over the degrees of freedom of a scalar element on the
+    /// same mesh; or none.
+    struct TemperatureField
+    {
+      /// The null pointer where nobody knows it.
+      const dealii::DoFHandler<2, 2> *dof_handler = nullptr;
+      /// Likewise.
+      const dealii::Vector<double> *values = nullptr;
+    };
+
     /**
      * What is known of one bushing at one moment, for a picture. All vectors
      * belong to the given DoFHandler.
@@ -48,15 +60,17 @@ namespace Tribody
       const BoreNodes &rim_nodes;
       /// Pressure on the rim_nodes [Pa]; empty without a housing.
       const Eigen::VectorXd &rim_pressure;
+      /// Of the bushing.
+      TemperatureField temperature = {};
     };
 
     /**
      * Write a VTU file for ParaView: the bushing on its worn geometry [m] with
      * displacement and wear_displacement (vectors), the stresses of the
-     * postprocessor, and contact_pressure and wear_depth, which live on the
-     * bore (contact_pressure of a ring in a housing on the rim, too) and are
-     * zero at all nodes inside. The ranks of a distributed mesh write one file
-     * together.
+     * postprocessor, temperature where it is known, and contact_pressure and
+     * wear_depth, which live on the bore (contact_pressure of a ring in a
+     * housing on the rim, too) and are zero at all nodes inside. The ranks of a
+     * distributed mesh write one file together.
      *
      * @throws ExcRun if the file cannot be written.
      */

@@ -9,7 +9,9 @@
 #include <tribody/multibody/system/mechanism.h>
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 
 namespace Tribody
 {
@@ -20,6 +22,12 @@ namespace Tribody
     void
     in_load_case(const LoadCase              &load_case,
                  const std::function<void()> &action);
+
+    /// @p load_case with the friction coefficients of joints multiplied by
+    /// these @p factors, by the name of the joint.
+    LoadCase
+    with_friction_factors(const LoadCase                      &load_case,
+                          const std::map<std::string, double> &factors);
 
     /// A load case whose duty cycles can be computed.
     class OperatingCase

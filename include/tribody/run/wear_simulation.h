@@ -134,8 +134,25 @@ namespace Tribody
       void
       run_dynamics(const Eigen::VectorXd &shares);
 
+      /// Of a load case, with the friction of joints as warm as they are.
+      Multibody::DutyCycle
+      run_case(const std::size_t                             i,
+               const Multibody::CycleSimulation::Clearances &clearances,
+               const Multibody::CycleSimulation::Supports   &supports,
+               const Multibody::CycleSimulation::Arcs       &arcs,
+               const Multibody::DutyCycle                   *before) const;
+
       void
       solve_contacts();
+
+      /// Whether friction heats a joint.
+      bool
+      has_warm_joints() const;
+
+      /// Temperature, motion and contact in turn, until they belong together.
+      /// @throws ExcRun if they do not come to an end.
+      void
+      settle_temperatures();
 
       /// Do this with the bushings on coarser meshes, or say why it cannot be
       /// done and go on without.

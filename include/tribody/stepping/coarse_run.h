@@ -56,6 +56,10 @@ namespace Tribody
       }
 
     private:
+      /// Those of @p run, with contacts and temperatures that belong to them.
+      void
+      renew_duty_cycles(const WearProcess &run);
+
       bool        follows_whole_run;
       WearProcess twin;
       /// Which bushing of the run each of the twin's belongs to.

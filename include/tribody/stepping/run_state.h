@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <tribody/bushing/premises.h>
+#include <tribody/bushing/warm_bushing.h>
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/stepping/mesh_error.h>
@@ -117,6 +118,10 @@ namespace Tribody
       Eigen::VectorXd depth_at_compliance;
       /// What the motion of the mechanism was computed for, with a lag too.
       Eigen::VectorXd depth_at_dynamics;
+      /// How warm it is; nothing unless somebody asks for it.
+      Warmth warmth;
+      /// Likewise when the motion was computed.
+      Warmth warmth_at_dynamics;
       /// The loads of the duty cycle of each load case, those of several
       /// cycles merged.
       std::vector<Multibody::BearingLoads> loads_of_cases;
@@ -175,6 +180,8 @@ namespace Tribody
       unsigned int dynamics_cycles = 0;
       /// Contact problems: one per joint and sample in each rate evaluation.
       unsigned int contact_solves = 0;
+      /// Rounds of motion, contact and temperature.
+      unsigned int temperature_rounds = 0;
       /// How often an elastic compliance was computed, the first ones included.
       unsigned int compliance_builds = 0;
     };

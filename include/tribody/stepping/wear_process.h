@@ -34,9 +34,11 @@ namespace Tribody
     public:
       /// @param bushings unworn.
       /// @param wear_factors of the load cases [-].
+      /// @param ambient_temperatures in the load cases [K].
       WearProcess(const WearParameters        &parameters,
                   std::deque<WearingBushing> &&bushings,
-                  const std::vector<double>   &wear_factors = {1.});
+                  const std::vector<double>   &wear_factors         = {1.},
+                  const std::vector<double>   &ambient_temperatures = {293.15});
 
       WearProcess(const WearProcess &) = delete;
       WearProcess &
@@ -91,16 +93,33 @@ namespace Tribody
         return factors;
       }
 
+      /// The ambient temperatures of the load cases [K].
+      const std::vector<double> &
+      ambient_temperatures() const
+      {
+        return ambient;
+      }
+
       /// Leave out the samples of several load cases that the wear does not
       /// need, now that the arcs of contact are known; contacts must be solved
       /// anew. One load case keeps its samples.
       void
       thin_out_loads();
 
-      /// Whether a profile has changed by more than 'Dynamics update' of the
-      /// clearance since the duty cycle was renewed.
+      /// Whether a profile, worn and warm, has changed by more than 'Dynamics
+      /// update' of the clearance since the duty cycle was renewed, or friction
+      /// by as much of itself.
       bool
       duty_cycle_is_outdated() const;
+
+      /// The temperatures that belong to contacts and duty cycles. Joints whose
+      /// temperature changes by more than their tolerance take the new one;
+      /// their contacts must then be solved anew, and motions that are
+      /// outdated be renewed before.
+      /// @return whether there was none.
+      /// @throws ExcRun if a joint has no clearance left.
+      bool
+      update_warmth();
 
       /// Contact and wear per cycle in every bushing.
       /// @throws ExcRun if a contact problem is not solved.
@@ -163,6 +182,10 @@ namespace Tribody
       Multibody::BearingLoads
       make_loads(const Multibody::DutyCycle &cycle, const std::size_t j) const;
 
+      // Of friction in the joint, over the time of all load cases [W].
+      double
+      frictional_power(const std::string &joint) const;
+
       void
       add_to_dynamics_totals(const Multibody::DutyCycle &cycle,
                              const bool                  was_quasi_static);
@@ -176,6 +199,7 @@ namespace Tribody
       StopConditions             stop_conditions;
       std::unique_ptr<CycleJump> jump;
       std::vector<double>        factors;
+      std::vector<double>        ambient;
       RunState                   run_state;
     };
   } // namespace Coupling

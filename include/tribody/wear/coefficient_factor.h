@@ -30,12 +30,20 @@ namespace Tribody
       /// f at the distance slid before; the @p pressure does not matter.
       FactorValue
       evaluate(const double pressure, const Sliding &sliding) const;
+
+      /// It does not.
+      bool
+      depends_on_temperature() const
+      {
+        return false;
+      }
     };
 
     /**
-     * A dimensionless function f(p, v, s) of pressure [Pa], sliding speed [m/s]
-     * and the distance slid so far [m], written as an Expression:
-     * "(p/1e6)^0.5", "if(v < 0.1, 1, 2)". It must be smooth in
+     * A dimensionless function f(p, v, s, T) of pressure [Pa], sliding speed
+     * [m/s], the distance slid so far [m] and the temperature of the contact
+     * [K], written as an Expression: "(p/1e6)^0.5", "if(v < 0.1, 1, 2)",
+     * "exp((T - 293.15)/40)". It must be smooth in
      * p, or the implicit wear steps do not converge; its derivative is a
      * central difference over 2e-5 p, good to about 1e-9 of f/p.
      */
@@ -50,6 +58,13 @@ namespace Tribody
       FactorValue
       evaluate(const double pressure, const Sliding &sliding) const;
 
+      /// Whether it has the temperature.
+      bool
+      depends_on_temperature() const
+      {
+        return expression.contains("T");
+      }
+
       /// Whether it is the number one, so that nothing is multiplied.
       bool
       is_one() const
@@ -61,11 +76,11 @@ namespace Tribody
       double
       value(const double pressure, const Sliding &sliding) const;
 
-      Expression<3> expression;
+      Expression<4> expression;
     };
 
     /// What a wear coefficient may be multiplied by. A new wear law is one more
-    /// of these: a struct with evaluate() as above, and a line in
+    /// of these: a struct with these two functions, and a line in
     /// BushingParameters::make_wear_law().
     using CoefficientFactor =
       std::variant<RunningIn, FactorExpression, CoefficientTable>;
@@ -75,6 +90,10 @@ namespace Tribody
     evaluate_factor(const CoefficientFactor &factor,
                     const double             pressure,
                     const Sliding           &sliding);
+
+    /// Whether a change of the temperature would change it.
+    bool
+    depends_on_temperature(const CoefficientFactor &factor);
   } // namespace Wear
 } // namespace Tribody
 

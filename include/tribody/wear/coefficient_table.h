@@ -23,15 +23,15 @@ namespace Tribody
   namespace Wear
   {
     /**
-     * A wear coefficient k(p, v) that was measured at some pressures and
-     * speeds, a CsvTable with the columns
+     * A wear coefficient k(p, v, T) that was measured at some pressures, speeds
+     * and temperatures of the contact, a CsvTable with the columns
      * @code
-     * pressure [MPa], speed [m/s], wear coefficient [mm^3/(N m)]
+     * pressure [MPa], speed [m/s], temperature [degC], wear coefficient [Pa^-1]
      * @endcode
-     * The rows are a rectangular grid: each pressure with each speed, the
-     * values of either rising. One of the two columns may be left out; k does
-     * not depend on it then. Between the points k is bilinear, beyond the grid
-     * that of its edge. What else k may depend on becomes one more axis.
+     * The rows are a rectangular grid: each pressure with each speed and each
+     * temperature, the values of each rising. One or two of the three columns
+     * may be left out; k does not depend on them then. Between the points k is
+     * linear in each, beyond the grid that of its edge.
      *
      * The part of k that is a number is its largest() value, and evaluate()
      * gives the fraction of that. A plain value; copies share the points.
@@ -57,15 +57,23 @@ namespace Tribody
       FactorValue
       evaluate(const double pressure, const Sliding &sliding) const;
 
+      /// Whether it has the column 'temperature'.
+      bool
+      depends_on_temperature() const
+      {
+        return has_temperature;
+      }
+
     private:
-      static constexpr int n_axes = 2;
+      static constexpr int n_axes = 3;
 
       std::shared_ptr<
         const dealii::Functions::InterpolatedTensorProductGridData<n_axes>>
         interpolation;
       // Ends of the axis.
-      std::pair<double, double> pressures     = {0., 0.};
-      double                    largest_value = 0.;
+      std::pair<double, double> pressures       = {0., 0.};
+      bool                      has_temperature = false;
+      double                    largest_value   = 0.;
     };
   } // namespace Wear
 } // namespace Tribody

@@ -3,6 +3,8 @@
 #ifndef tribody_wear_factor_value_h
 #define tribody_wear_factor_value_h
 
+#include <limits>
+
 namespace Tribody
 {
   namespace Wear
@@ -19,6 +21,9 @@ namespace Tribody
       /// What multiplies the wear coefficients meanwhile, whatever they depend
       /// on [-].
       double factor = 1.;
+      /// T of the contact [K]; not a number where nobody knows it, and then
+      /// nothing depends on it.
+      double temperature = std::numeric_limits<double>::quiet_NaN();
     };
 
     /// What multiplies a wear coefficient, with its derivative.

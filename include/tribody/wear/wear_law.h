@@ -16,11 +16,11 @@ namespace Tribody
   {
     /**
      * What one surface loses: Archard's law with a coefficient that may depend
-     * on pressure, sliding speed and the distance slid so far,
-     * @f[ \Delta h = k \prod_m f_m(p, v, s)\; p\,|\Delta s|, @f]
+     * on pressure, sliding speed, the distance slid so far and temperature,
+     * @f[ \Delta h = k \prod_m f_m(p, v, s, T)\; p\,|\Delta s|, @f]
      * each @f$f_m@f$ a CoefficientFactor. Like ArchardLaw it removes areas,
-     * @f$ A_i = k \prod_m f_m(\lambda_i/w_i, v, s)\,\lambda_i |\Delta s| @f$.
-     * Without factors it is ArchardLaw and as fast.
+     * @f$ A_i = k \prod_m f_m(\lambda_i/w_i, v, s, T)\,\lambda_i |\Delta s|
+     * @f$. Without factors it is ArchardLaw and as fast.
      */
     struct WearLaw
     {
@@ -35,6 +35,10 @@ namespace Tribody
       {
         return factors.empty();
       }
+
+      /// Whether a change of the temperature would change it.
+      bool
+      depends_on_temperature() const;
 
       /**
        * Cross-section area removed from each node in one sample [m^2].

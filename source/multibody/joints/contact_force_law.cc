@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <tribody/base/material.h>
+#include <tribody/material/material.h>
 #include <tribody/multibody/joints/contact_force_law.h>
 #include <tribody/multibody/joints/joint_parameters.h>
 

@@ -4,7 +4,7 @@
 #define tribody_multibody_joints_joint_parameters_h
 
 #include <tribody/base/choice.h>
-#include <tribody/base/material.h>
+#include <tribody/material/material.h>
 #include <tribody/multibody/joints/contact_force_law.h>
 #include <tribody/multibody/joints/friction_law.h>
 #include <tribody/surface/pin_in_bore.h>

@@ -5,7 +5,7 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/bushing/bushing_parameters.h>
-#include <tribody/bushing/memory_estimate.h>
+#include <tribody/case/memory_estimate.h>
 #include <tribody/multibody/joints/joint_parameters.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_bushing_memory_estimate_h
-#define tribody_bushing_memory_estimate_h
+#ifndef tribody_case_memory_estimate_h
+#define tribody_case_memory_estimate_h
 
 #include <string>
 

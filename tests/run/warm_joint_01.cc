@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Friction heats the bushing of a shaft that turns under a constant force. On
+// a round ring, what is not spread evenly around the bore has no part in means
+// around it, so that these have closed forms wherever the contact is:
+// - power mu F_N v with F = F_N sqrt(1 + mu^2), from the motion (1e-3: friction
+//   is smooth at rest);
+// - with its rim at ambient temperature the ring is warmer in the mean by
+//   Q/(2 pi lambda L) (1/2 - a^2/(b^2 - a^2) ln(b/a)) (the mesh: 1e-4);
+// - pin and bore come nearer by the expansion of a ring in a rigid housing
+//   under T ~ ln(b/r), see elasticity/thermal_01, and by that of the pin;
+// - a shaft takes G (T_c - T_a), and all where the rim is insulated;
+// - friction that falls with the temperature heats less: mu(T_c) (the motion
+//   is renewed when that changes by 'Dynamics update', 1 %);
+// - half the modulus by a 'Modulus factor' is half the modulus, and a wear
+//   coefficient that depends on the temperature one that is as large there, to
+//   what the temperature changes while the contact grows;
+// - load cases with other surroundings: the mean over the time.
+// A state that is restored goes on with the same bits. What has no clearance
+// any more, or gets warmer without end, is told.
+
+#include <deal.II/base/mpi.h>
+
+#include <tribody/base/console.h>
+#include <tribody/base/exceptions.h>
+#include <tribody/case/case_parameters.h>
+#include <tribody/run/wear_simulation.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+using namespace Tribody;
+
+namespace
+{
+  Coupling::CaseParameters
+  read(const std::string &heat, const std::string &lines)
+  {
+    const std::string name =
+      "warm_joint_01." +
+      std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
+      ".prm";
+    std::ofstream file(name);
+    file << "include " << SOURCE_DIR << "/loaded_shaft.prm\n"
+         << "set Cycles = 3000\n"
+            "subsection Joint bearing\n"
+            "  set Friction law = Coulomb regularised\n"
+            "  set Friction coefficient = 0.1\n"
+            "  set Bushing radius = 9.575 mm\n"
+            "end\n"
+            "subsection Material PTFE\n"
+            "  set Thermal conductivity = 0.25 W/(m K)\n"
+            "end\n"
+            "subsection Bushing bearing\n"
+            "  set Pressure model = finite element\n"
+            "  subsection Heat\n"
+            "    set Temperature = steady\n"
+         << heat << "  end\nend\n"
+         << lines;
+    file.close();
+    return Coupling::read_case(name, {});
+  }
+
+
+
+  Coupling::RunResults
+  run(const std::string &heat, const std::string &lines = "")
+  {
+    const Coupling::CaseParameters parameters = read(heat, lines);
+    std::ostringstream             screen;
+    Console                        console(screen);
+    Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
+    simulation.start();
+    while (!simulation.is_over())
+      simulation.advance(parameters.cycles);
+    return simulation.results();
+  }
+
+
+
+  const Coupling::Warmth &
+  warmth(const Coupling::RunResults &results)
+  {
+    return results.state.joints[0].warmth;
+  }
+
+
+
+  constexpr double a = 9.575e-3, b = 15.875e-3, lambda = 0.25, L = 8.6e-3,
+                   ambient  = 293.15;
+  const double normal_force = 120. / std::sqrt(1.01), speed = a * M_PI;
+
+
+
+  double
+  mean_rise(const double power)
+  {
+    return power / (2. * M_PI * lambda * L) *
+           (0.5 - a * a / (b * b - a * a) * std::log(b / a));
+  }
+
+
+
+  // Inwards, of the bore in plane strain.
+  double
+  closing_of_ring(const double power, const double expansion)
+  {
+    double       nu    = 0.38;
+    const double alpha = (1. + nu) * expansion;
+    nu /= 1. - nu;
+    const double scale = power / (2. * M_PI * lambda * L);
+    const double moment =
+      scale * ((b * b - a * a) / 4. - a * a / 2. * std::log(b / a));
+    const double B = -(1. + nu) * alpha / b * moment /
+                     ((1. - nu) / (1. + nu) * b / (a * a) + 1. / b);
+    return -((1. - nu) / (1. + nu) * B / a + B / a);
+  }
+
+
+
+  double
+  relative(const double value, const double known)
+  {
+    return std::abs(value / known - 1.);
+  }
+
+
+
+  std::ostream &
+  out()
+  {
+    static std::ostringstream nowhere;
+    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0
+             ? std::cout
+             : nowhere;
+  }
+
+
+
+  void
+  test_means()
+  {
+    const double pin_expansion = 1.2e-5, expansion = 1.3e-4;
+    const auto   results =
+      run("",
+          "subsection Material PTFE\n  set Thermal expansion = 1.3e-4 K^-1\n"
+          "end\nsubsection Material steel\n"
+          "  set Thermal expansion = 1.2e-5 K^-1\nend\n");
+    const Coupling::Warmth &warm  = warmth(results);
+    const double            known = 0.1 * normal_force * speed;
+    out() << "power " << known << " W: right to 0.1 % "
+          << (relative(warm.power, known) < 1e-3) << std::endl;
+    out() << "mean rise " << mean_rise(warm.power) << " K: right to 0.1 % "
+          << (relative(warm.mean_temperature - ambient, mean_rise(warm.power)) <
+              1e-3)
+          << "; contact warmer than evenly heated bore ("
+          << mean_rise(warm.power) /
+               (0.5 - a * a / (b * b - a * a) * std::log(b / a)) *
+               std::log(b / a)
+          << " K) "
+          << (warm.contact_temperature - ambient >
+              warm.power / (2. * M_PI * lambda * L) * std::log(b / a))
+          << std::endl;
+    const double closing =
+      closing_of_ring(warm.power, expansion) +
+      pin_expansion * 9.525e-3 * (warm.contact_temperature - ambient);
+    out() << "closing of the ring "
+          << 1e6 * closing_of_ring(warm.power, expansion)
+          << " um; with the pin right to 0.5 % "
+          << (relative(warm.mean_closing(), closing) < 5e-3) << std::endl;
+    std::cerr << warm.power << ' ' << warm.mean_temperature << ' '
+              << warm.contact_temperature << ' ' << warm.max_temperature << ' '
+              << warm.mean_closing() << ' ' << closing << ' '
+              << results.bushings[0].bushing.max_wear_depth << ' '
+              << results.state.counts.wear_steps << ' '
+              << results.state.counts.dynamics_cycles << std::endl;
+  }
+
+
+
+  void
+  test_shaft()
+  {
+    const Coupling::Warmth warm =
+      warmth(run("    set Shaft conductance = 0.01 W/K\n"));
+    out() << "shaft: takes what it should "
+          << (relative(warm.shaft_power,
+                       0.01 * (warm.contact_temperature - ambient)) < 1e-9)
+          << ", and the ring the rest "
+          << (relative(warm.mean_temperature - ambient,
+                       mean_rise(warm.power - warm.shaft_power)) < 1e-3)
+          << std::endl;
+    const Coupling::Warmth insulated =
+      warmth(run("    set Shaft conductance = 0.01 W/K\n"
+                 "    set Rim = insulated\n"));
+    out() << "insulated: all through the shaft "
+          << (relative(insulated.max_temperature - ambient,
+                       insulated.power / 0.01) < 1e-9)
+          << std::endl;
+    // Through the whole rim.
+    const Coupling::Warmth resisted =
+      warmth(run("    set Rim = heat transfer\n"
+                 "    set Thermal resistance = 12 K/W\n"));
+    out() << "resistance: as much more "
+          << (relative(resisted.mean_temperature - ambient,
+                       mean_rise(resisted.power) + 12. * resisted.power) < 1e-3)
+          << std::endl;
+  }
+
+
+
+  void
+  test_friction()
+  {
+    const Coupling::Warmth warm =
+      warmth(run("    set Friction factor = 1 - 0.01*(T - 293.15)\n"));
+    const double mu = 0.1 * (1. - 0.01 * (warm.contact_temperature - ambient));
+    const double known = mu * 120. / std::sqrt(1. + mu * mu) * speed;
+    out() << "friction factor: right to 1.5 % "
+          << (relative(warm.power, known) < 0.015) << ", and far from cold "
+          << (warm.power < 0.9 * 0.1 * normal_force * speed) << std::endl;
+    std::cerr << mu << ' ' << warm.power << ' ' << known << std::endl;
+  }
+
+
+
+  void
+  test_modulus_and_wear()
+  {
+    const auto halved = run("    set Modulus factor = 0.5\n");
+    const auto softer = run("",
+                            "subsection Material PTFE\n"
+                            "  set Young's modulus = 0.0695 GPa\nend\n");
+    out() << "half the modulus: the same depth to 1e-6 "
+          << (relative(halved.bushings[0].bushing.max_wear_depth,
+                       softer.bushings[0].bushing.max_wear_depth) < 1e-6)
+          << std::endl;
+
+    const std::string factor =
+      "subsection Bushing bearing\n  set Wear coefficient factor = ";
+    const auto         warm = run("", factor + "exp((T - 293.15)/40)\nend\n");
+    std::ostringstream number;
+    number << std::setprecision(15)
+           << std::exp((warmth(warm).contact_temperature - 293.15) / 40.);
+    const auto as_large = run("", factor + number.str() + "\nend\n");
+    std::cerr << number.str() << ' ' << warm.bushings[0].bushing.max_wear_depth
+              << ' ' << as_large.bushings[0].bushing.max_wear_depth
+              << std::endl;
+    out() << "k(T): as with that k to 5 % "
+          << (relative(warm.bushings[0].bushing.max_wear_depth,
+                       as_large.bushings[0].bushing.max_wear_depth) < 0.05)
+          << ", and k more than 1.3 times as large "
+          << (std::stod(number.str()) > 1.3) << std::endl;
+  }
+
+
+
+  void
+  test_surroundings()
+  {
+    const auto results = run("",
+                             "set Load cases = day, night\n"
+                             "subsection Load case day\n"
+                             "  set Share = 0.25\n"
+                             "  set Ambient temperature = 40 degC\nend\n"
+                             "subsection Load case night\n"
+                             "  set Share = 0.75\n"
+                             "  set Ambient temperature = 0 degC\nend\n");
+    out() << "surroundings: " << warmth(results).ambient_temperature - 273.15
+          << " degC in the mean" << std::endl;
+  }
+
+
+
+  void
+  test_restored()
+  {
+    const Coupling::CaseParameters parameters =
+      read("    set Modulus factor = 1 - 0.01*(T - 293.15)\n",
+           "subsection Material PTFE\n  set Thermal expansion = 5e-5 K^-1\n"
+           "end\n");
+    std::ostringstream       screen;
+    Console                  console(screen);
+    Coupling::WearSimulation first(parameters, console, MPI_COMM_WORLD),
+      second(parameters, console, MPI_COMM_WORLD);
+    first.start();
+    first.advance(parameters.cycles);
+    second.restore(first.state());
+    for (Coupling::WearSimulation *simulation : {&first, &second})
+      while (!simulation->is_over())
+        simulation->advance(parameters.cycles);
+    out() << "restored: the same bits "
+          << (first.state().joints[0].depth == second.state().joints[0].depth &&
+              first.state().joints[0].warmth.contact_temperature ==
+                second.state().joints[0].warmth.contact_temperature)
+          << std::endl;
+  }
+
+
+
+  void
+  test_failure(const std::string &heat, const std::string &lines)
+  {
+    try
+      {
+        run(heat, lines);
+        out() << "no error" << std::endl;
+      }
+    catch (const ExcRun &exception)
+      {
+        out() << message_of(exception) << std::endl;
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  out() << std::setprecision(4);
+  test_means();
+  test_shaft();
+  test_friction();
+  test_modulus_and_wear();
+  test_surroundings();
+  test_restored();
+  test_failure("",
+               "subsection Joint bearing\n  set Bushing radius = 9.535 mm\n"
+               "end\nsubsection Material PTFE\n"
+               "  set Thermal expansion = 5e-4 K^-1\nend\n");
+  test_failure("    set Friction factor = exp((T - 293.15)/5)\n", "");
+}
