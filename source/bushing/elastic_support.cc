@@ -13,7 +13,7 @@ namespace Tribody
                                    const BushingParameters &parameters,
                                    const double             pin_radius,
                                    const PeriodicProfile   &pin_wear,
-                                   const Eigen::VectorXd   &closing)
+                                   const double             closing)
       : name(parameters.name)
       , axial_length(parameters.axial_length)
       , pin_wear(pin_wear)
@@ -32,9 +32,8 @@ namespace Tribody
     ElasticSupport::Recess
     ElasticSupport::compute_recess(const double alpha) const
     {
-      Recess     recess;
-      const bool is_cold = closing.size() == 0;
-      if (is_cold && pin_wear.is_constant() && pin_wear.mean() == 0.)
+      Recess recess;
+      if (closing == 0. && pin_wear.is_constant() && pin_wear.mean() == 0.)
         return recess;
       const Eigen::Index n = facing_angles.size();
       recess.value.resize(n);
@@ -44,7 +43,7 @@ namespace Tribody
         {
           const PeriodicProfile::Values wear =
             pin_wear.evaluate(facing_angles[i] - alpha);
-          recess.value[i]     = is_cold ? wear.value : wear.value - closing[i];
+          recess.value[i]     = wear.value - closing;
           recess.slope[i]     = -wear.first_derivative;
           recess.curvature[i] = wear.second_derivative;
         }

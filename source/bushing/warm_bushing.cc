@@ -2,6 +2,8 @@
 
 #include <tribody/bushing/warm_bushing.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -38,6 +40,47 @@ namespace Tribody
 
 
 
+    Warmth
+    correct(const Warmth &warmth, const Warmth &found)
+    {
+      // Beyond, the last two differences tell nothing.
+      constexpr double smallest = 0.2, largest = 5.;
+
+      Warmth result = found;
+      result.contact_residual =
+        found.contact_temperature - warmth.contact_temperature;
+      result.residual =
+        std::max({std::abs(result.contact_residual),
+                  std::abs(found.max_temperature - warmth.max_temperature),
+                  std::abs(found.mean_temperature - warmth.mean_temperature)});
+      if (!warmth.is_known())
+        return result;
+
+      const double growth = warmth.contact_residual - result.contact_residual;
+      result.relaxation   = warmth.relaxation;
+      if (growth != 0. && warmth.contact_residual != 0.)
+        result.relaxation =
+          std::clamp(warmth.relaxation * warmth.contact_residual / growth,
+                     smallest,
+                     largest);
+      const double omega   = result.relaxation;
+      const auto   towards = [omega](const double from, const double to) {
+        return from + omega * (to - from);
+      };
+      result.contact_temperature =
+        towards(warmth.contact_temperature, found.contact_temperature);
+      result.max_temperature =
+        towards(warmth.max_temperature, found.max_temperature);
+      result.mean_temperature =
+        towards(warmth.mean_temperature, found.mean_temperature);
+      result.temperature.sadd(omega, 1. - omega, warmth.temperature);
+      result.closing =
+        warmth.closing + omega * (found.closing - warmth.closing);
+      return result;
+    }
+
+
+
     WarmBushing::WarmBushing(const BushingParameters          &parameters,
                              const Multibody::JointParameters &joint,
                              const ElasticJoint               &elastic)
@@ -55,7 +98,18 @@ namespace Tribody
                                              parameters))
       , modulus(path_of(parameters, "Modulus factor"), heat.modulus_factor)
       , friction(path_of(parameters, "Friction factor"), heat.friction_factor)
-    {}
+    {
+      follow_geometry();
+    }
+
+
+
+    void
+    WarmBushing::follow_geometry()
+    {
+      if (heat.rim != Thermal::RimCooling::insulated)
+        conduction.reinit(elastic.mapping());
+    }
 
 
 
@@ -81,7 +135,7 @@ namespace Tribody
       warmth.mean_temperature = ambient_temperature + rise.mean;
       warmth.temperature      = rise.field;
       warmth.temperature.add(ambient_temperature);
-      warmth.closing = compute_closing(rise, warmth);
+      set_closing(warmth, rise);
       return warmth;
     }
 
@@ -96,7 +150,7 @@ namespace Tribody
       if (heat.rim == Thermal::RimCooling::insulated)
         return conduction.uniform(power / heat.shaft_conductance);
       Thermal::TemperatureRise rise =
-        conduction.solve(elastic.mapping(), parts * (power / axial_length));
+        conduction.solve(parts * (power / axial_length));
       const double to_shaft =
         power > 0. ? heat.shaft_conductance * parts.dot(rise.at_bore) / power
                    : 0.;
@@ -109,26 +163,25 @@ namespace Tribody
 
 
 
-    Eigen::VectorXd
-    WarmBushing::compute_closing(const Thermal::TemperatureRise &rise,
-                                 const Warmth                   &warmth) const
+    void
+    WarmBushing::set_closing(Warmth                         &warmth,
+                             const Thermal::TemperatureRise &rise) const
     {
-      const double growth_of_pin =
+      const double from_reference =
+        warmth.ambient_temperature - heat.reference_temperature;
+      warmth.closing =
         pin_expansion * pin_radius *
         (warmth.contact_temperature - heat.reference_temperature);
-      Eigen::VectorXd closing =
-        Eigen::VectorXd::Constant(rise.at_bore.size(), growth_of_pin);
-      if (bushing_material.thermal_expansion > 0.)
-        {
-          dealii::Vector<double> above_reference = rise.field;
-          above_reference.add(warmth.ambient_temperature -
-                              heat.reference_temperature);
-          closing -=
-            elastic.thermal_displacement(conduction.get_dof_handler(),
-                                         above_reference,
-                                         bushing_material.thermal_expansion);
-        }
-      return closing;
+      if (bushing_material.thermal_expansion == 0.)
+        return;
+      dealii::Vector<double> above_reference = rise.field;
+      above_reference.add(from_reference);
+      const Eigen::VectorXd outwards =
+        elastic.thermal_displacement(conduction.get_dof_handler(),
+                                     above_reference,
+                                     bushing_material.thermal_expansion);
+      warmth.closing -= outwards.mean();
+      warmth.out_of_round = outwards.maxCoeff() - outwards.minCoeff();
     }
 
 

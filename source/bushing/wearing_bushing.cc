@@ -176,8 +176,10 @@ namespace Tribody
                                     parameters.contact_solver,
                                     elastic.housing());
       // A bore that comes nearer is a pin that comes nearer.
+      const Eigen::VectorXd closing =
+        Eigen::VectorXd::Constant(contact.surface.n_nodes(), warm.closing);
       if (warm.is_known())
-        solver.set_pin_recess(-warm.closing);
+        solver.set_pin_recess(-closing);
 
       // Loads mostly follow from the two before with few nodes to change; the
       // same load on a similar bore differs less. But a cycle before may have
@@ -199,7 +201,7 @@ namespace Tribody
                 contact.samples[j - 1]);
             if (pin && warm.is_known())
               solver.set_pin_recess(contact.facings[j].to_bore(pin_depth) -
-                                    warm.closing);
+                                    closing);
             else if (pin)
               solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
             Contact::ContactSolution &solution = contact.samples[j];
@@ -406,6 +408,8 @@ namespace Tribody
       const Wear::WearProfile worn = profile_for_depth(depth);
       elastic.update(worn);
       wear_profile = worn;
+      if (heat != nullptr)
+        heat->follow_geometry();
       if (pin)
         pin->set_depth(surfaces().back().part_of(depth), elastic.bore());
     }
@@ -419,6 +423,8 @@ namespace Tribody
       const Wear::WearProfile worn = profile_for_depth(depth);
       elastic.restore(worn, depth_at_compliance);
       wear_profile = worn;
+      if (heat != nullptr)
+        heat->follow_geometry();
       if (pin)
         pin->set_depth(surfaces().back().part_of(depth), elastic.bore());
     }
@@ -466,6 +472,12 @@ namespace Tribody
           std::min(narrowest,
                    bore.value(angle) + bore.value(angle + dealii::numbers::PI));
       narrowest += 2. * pin_wear;
+      const auto shown_length = [](const double length) {
+        return Units::to_string(
+          std::strtod(significant_digits(length, 4).c_str(), nullptr),
+          "m",
+          "mm");
+      };
       const auto celsius = [](const double temperature) {
         return significant_digits(temperature - 273.15, 4) + " degC";
       };
@@ -476,13 +488,8 @@ namespace Tribody
                celsius(warm.contact_temperature) + " in the contact and " +
                celsius(warm.mean_temperature) +
                " in the bushing, pin and bore have come nearer by " +
-               Units::to_string(
-                 std::strtod(significant_digits(warm.mean_closing(), 4).c_str(),
-                             nullptr),
-                 "m",
-                 "mm") +
-               ", of a clearance of " +
-               Units::to_string(joint.clearance(), "m", "mm") +
+               shown_length(warm.closing) + ", of a clearance of " +
+               shown_length(joint.clearance()) +
                " at the 'Reference temperature'. It takes more clearance, "
                "less friction, load or speed, a better path for the heat, or a "
                "material that expands less"));
@@ -533,11 +540,10 @@ namespace Tribody
       const double   gap = parameters.rim_support.housing_gap;
       if (gap > 0. || warm.is_known())
         {
-          Eigen::VectorXd clearance =
-            (wear_profile.depth.array() + (joint.clearance() + gap)).matrix();
-          if (warm.is_known())
-            clearance -= warm.closing;
-          surfaces.bushing = PeriodicProfile(node_angles(), clearance);
+          const double unworn = joint.clearance() + gap - warm.closing;
+          surfaces.bushing =
+            PeriodicProfile(node_angles(),
+                            (wear_profile.depth.array() + unworn).matrix());
         }
       return surfaces;
     }

@@ -327,7 +327,7 @@ namespace Tribody
             row.insert(row.end(),
                        {warmth.contact_temperature,
                         warmth.max_temperature,
-                        warmth.mean_closing()});
+                        warmth.closing});
           }
       // The largest of all load cases.
       for (std::size_t m = 0; m < parameters.mechanism.watched_markers.size();

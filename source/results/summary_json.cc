@@ -167,7 +167,8 @@ namespace Tribody
                 {"contact_temperature_K", warmth.contact_temperature},
                 {"max_temperature_K", warmth.max_temperature},
                 {"mean_temperature_K", warmth.mean_temperature},
-                {"closing_m", warmth.mean_closing()},
+                {"closing_m", warmth.closing},
+                {"out_of_round_m", warmth.out_of_round},
                 {"residual_K", warmth.residual}};
       }
 

@@ -115,14 +115,26 @@ namespace Tribody
           parameters.joint(bushing.name).bushing_material;
         if (const Warmth &warmth = state.joints[bushing.number].warmth;
             warmth.is_known())
-          warn_of_limit(bushing.name,
-                        "temperature_limit",
-                        "the largest temperature of the bore",
-                        warmth.max_temperature,
-                        material.limits.temperature,
-                        "K",
-                        "degC",
-                        warnings);
+          {
+            warn_of_limit(bushing.name,
+                          "temperature_limit",
+                          "the largest temperature of the bore",
+                          warmth.max_temperature,
+                          material.limits.temperature,
+                          "K",
+                          "degC",
+                          warnings);
+            // What is left out must be worn off, or fit the clearance.
+            if (warmth.out_of_round > bushing.clearance - warmth.closing)
+              warnings.push_back(
+                {"out_of_round",
+                 bushing.name,
+                 "uneven heat makes the bore out of round by " +
+                   significant_digits(1e3 * warmth.out_of_round, 2) +
+                   " mm, more than clearance and wear together; this is left "
+                   "out, so that pressure and depth are right only once as "
+                   "much is worn off"});
+          }
         const std::string refine =
           "refine 'Bushing " + bushing.name + "/Mesh/Bore cells'";
         if (bushing.mesh_oscillation > largest_oscillation)

@@ -439,36 +439,10 @@ namespace Tribody
     void
     WearSimulation::settle_temperatures()
     {
-      // A round makes the difference several times smaller where friction
-      // depends on the temperature as it usually does.
-      constexpr unsigned int max_rounds = 50;
-      if (!has_warm_joints() || process.bushings().empty())
+      if (!has_warm_joints())
         return;
-      for (unsigned int round = 0; round < max_rounds; ++round)
-        {
-          {
-            dealii::TimerOutput::Scope scope(timer, "temperature");
-            if (process.update_warmth())
-              return;
-          }
-          if (process.duty_cycle_is_outdated())
-            run_dynamics(state().shares);
-          solve_contacts();
-        }
-      for (std::size_t j = 0; j < state().joints.size(); ++j)
-        if (const Warmth &warmth = state().joints[j].warmth;
-            warmth.residual > process.bushings()[j].temperature_tolerance())
-          throw ExcRun(
-            "Joint " + process.bushings()[j].name() +
-            ": its temperature comes to no end. After " +
-            std::to_string(max_rounds) +
-            " rounds of motion, contact and temperature it is " +
-            significant_digits(warmth.contact_temperature - 273.15, 4) +
-            " degC in the contact and has changed by " +
-            significant_digits(warmth.residual, 2) +
-            " K: friction that rises with the temperature may heat the joint "
-            "without bound. Look at the 'Friction factor', or allow a larger "
-            "'Temperature tolerance'");
+      dealii::TimerOutput::Scope scope(timer, "temperature");
+      process.settle_warmth([this]() { run_dynamics(state().shares); });
     }
 
 

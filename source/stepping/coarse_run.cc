@@ -85,10 +85,8 @@ namespace Tribody
     {
       twin.renew_duty_cycles(run.state().duty_cycles, run.state().shares);
       twin.solve_contacts();
-      // The motion is that of the run, and contacts do little to the
-      // temperature: one round is as good as more.
-      if (!twin.update_warmth())
-        twin.solve_contacts();
+      // The motion is that of the run.
+      twin.settle_warmth([]() {});
     }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <tribody/base/exceptions.h>
 #include <tribody/base/inverted_mesh.h>
+#include <tribody/base/significant_digits.h>
 #include <tribody/stepping/combined_loads.h>
 #include <tribody/stepping/make_jump.h>
 #include <tribody/stepping/wear_process.h>
@@ -202,8 +204,8 @@ namespace Tribody
             (joint.depth - joint.depth_at_dynamics).lpNorm<Eigen::Infinity>();
           if (joint.warmth.is_known())
             {
-              const double closed = joint.warmth.mean_closing() -
-                                    joint.warmth_at_dynamics.mean_closing();
+              const double closed =
+                joint.warmth.closing - joint.warmth_at_dynamics.closing;
               change += std::abs(closed);
               const double friction =
                 bushing.friction_factor(joint.warmth) /
@@ -216,6 +218,45 @@ namespace Tribody
             change > dynamics_update * bushing.largest_clearance(joint.depth);
         }
       return is_outdated;
+    }
+
+
+
+    void
+    WearProcess::settle_warmth(const std::function<void()> &renew_motion)
+    {
+      // A round makes the difference several times smaller where friction
+      // depends on the temperature as it usually does.
+      constexpr unsigned int max_rounds = 50;
+      if (std::none_of(joint_bushings.begin(),
+                       joint_bushings.end(),
+                       [](const WearingBushing &bushing) {
+                         return bushing.bushing_parameters().heat.is_on();
+                       }))
+        return;
+      for (unsigned int round = 0; round < max_rounds; ++round)
+        {
+          if (update_warmth())
+            return;
+          ++run_state.counts.temperature_rounds;
+          if (duty_cycle_is_outdated())
+            renew_motion();
+          solve_contacts();
+        }
+      for (std::size_t j = 0; j < joint_bushings.size(); ++j)
+        if (const Warmth &warmth = run_state.joints[j].warmth;
+            warmth.residual > joint_bushings[j].temperature_tolerance())
+          throw ExcRun(
+            "Joint " + joint_bushings[j].name() +
+            ": its temperature comes to no end. After " +
+            std::to_string(max_rounds) +
+            " rounds of motion, contact and temperature it is " +
+            significant_digits(warmth.contact_temperature - 273.15, 4) +
+            " degC in the contact and has changed by " +
+            significant_digits(warmth.residual, 2) +
+            " K: friction that rises with the temperature may heat the joint "
+            "without bound. Look at the 'Friction factor', or allow a larger "
+            "'Temperature tolerance'");
     }
 
 
@@ -236,23 +277,21 @@ namespace Tribody
         if (WearingBushing &bushing = joint_bushings[j];
             bushing.bushing_parameters().heat.is_on())
           {
-            JointState &joint = run_state.joints[j];
-            Warmth      warmth =
-              bushing.compute_warmth(joint.contact,
-                                     frictional_power(bushing.name()),
-                                     temperature_over_time / time);
-            const auto change = [&](double Warmth::*temperature) {
-              return std::abs(warmth.*temperature - joint.warmth.*temperature);
-            };
-            warmth.residual = std::max({change(&Warmth::contact_temperature),
-                                        change(&Warmth::max_temperature),
-                                        change(&Warmth::mean_temperature)});
-            joint.warmth.residual = warmth.residual;
-            if (warmth.residual <= bushing.temperature_tolerance())
-              continue;
+            JointState  &joint = run_state.joints[j];
+            const Warmth corrected =
+              correct(joint.warmth,
+                      bushing.compute_warmth(joint.contact,
+                                             frictional_power(j),
+                                             temperature_over_time / time));
+            if (corrected.residual <= bushing.temperature_tolerance())
+              {
+                joint.warmth.residual         = corrected.residual;
+                joint.warmth.contact_residual = corrected.contact_residual;
+                continue;
+              }
             have_settled = false;
-            joint.warmth = warmth;
-            bushing.set_warmth(warmth);
+            joint.warmth = corrected;
+            bushing.set_warmth(corrected);
             if (bushing.depth_at_compliance() != joint.depth_at_compliance)
               ++run_state.counts.compliance_builds;
             joint.depth_at_compliance = bushing.depth_at_compliance();
@@ -263,20 +302,29 @@ namespace Tribody
 
 
     double
-    WearProcess::frictional_power(const std::string &joint) const
+    WearProcess::frictional_power(const std::size_t j) const
     {
       double work = 0., time = 0.;
       for (std::size_t i = 0; i < factors.size(); ++i)
         if (run_state.shares[i] > 0.)
           {
             const Multibody::DutyCycle      &cycle = run_state.duty_cycles[i];
-            const Multibody::JointDutyCycle &of_joint = cycle.joint(joint);
+            const Multibody::JointDutyCycle &of_joint =
+              cycle.joint(joint_bushings[j].name());
             work +=
               run_state.shares[i] * of_joint.friction_force.cwiseAbs().dot(
                                       of_joint.sliding_increment);
             time += run_state.shares[i] * cycle.period;
           }
-      return work / time;
+      // Pressures that point to both sides do not add up to the force, but all
+      // of them rub.
+      const JointState &joint = run_state.joints[j];
+      const double      of_forces =
+        joint.loads.normal_force.dot(joint.loads.sliding_increment);
+      const double of_pressures =
+        joint.contact.force_over_sliding.sum() *
+        joint_bushings[j].bushing_parameters().axial_length;
+      return of_forces > 0. ? work / time * of_pressures / of_forces : 0.;
     }
 
 

@@ -8,10 +8,8 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/sparse_direct.h>
-#include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/numerics/matrix_creator.h>
-#include <deal.II/numerics/vector_tools_mean_value.h>
+#include <deal.II/numerics/vector_tools_rhs.h>
 
 #include <tribody/surface/bore_nodes.h>
 #include <tribody/surface/boundary_ids.h>
@@ -159,36 +157,48 @@ namespace Tribody
 
 
 
-    TemperatureRise
-    HeatConduction::solve(const dealii::Mapping<2> &mapping,
-                          const Eigen::VectorXd    &nodal_heat) const
+    void
+    HeatConduction::reinit(const dealii::Mapping<2> &mapping)
     {
-      AssertDimension(static_cast<std::size_t>(nodal_heat.size()),
-                      bore_dofs.size());
       const dealii::QGauss<2>                      quadrature(fe.degree + 1);
       const dealii::Functions::ConstantFunction<2> lambda(conductivity);
-      dealii::SparseMatrix<double>                 matrix(sparsity);
+      matrix.reinit(sparsity);
       dealii::MatrixCreator::create_laplace_matrix(
         mapping, dof_handler, quadrature, matrix, &lambda, constraints);
       if (std::isfinite(heat_transfer_coefficient))
         add_rim(
           mapping, dof_handler, constraints, heat_transfer_coefficient, matrix);
+      solver.initialize(matrix);
 
+      averages.reinit(dof_handler.n_dofs());
+      dealii::VectorTools::create_right_hand_side(
+        mapping,
+        dof_handler,
+        quadrature,
+        dealii::Functions::ConstantFunction<2>(1.),
+        averages);
+      averages /= averages.mean_value() * averages.size();
+    }
+
+
+
+    TemperatureRise
+    HeatConduction::solve(const Eigen::VectorXd &nodal_heat) const
+    {
+      AssertDimension(static_cast<std::size_t>(nodal_heat.size()),
+                      bore_dofs.size());
       // Hanging nodes are never bore nodes.
       TemperatureRise rise;
       rise.field.reinit(dof_handler.n_dofs());
       for (Eigen::Index i = 0; i < nodal_heat.size(); ++i)
         rise.field[bore_dofs[i]] = nodal_heat[i];
-      dealii::SparseDirectUMFPACK solver;
-      solver.initialize(matrix);
       solver.solve(rise.field);
       constraints.distribute(rise.field);
 
       rise.at_bore.resize(nodal_heat.size());
       for (Eigen::Index i = 0; i < nodal_heat.size(); ++i)
         rise.at_bore[i] = rise.field[bore_dofs[i]];
-      rise.mean = dealii::VectorTools::compute_mean_value(
-        mapping, dof_handler, quadrature, rise.field, 0);
+      rise.mean = averages * rise.field;
       return rise;
     }
 

@@ -36,12 +36,12 @@ namespace Tribody
       /// The elastic @p joint as it is worn now, which is copied.
       /// @param pin_radius as manufactured [m]. @param pin_wear what it has
       ///   lost, over the angle in the pin's frame. @param closing by which
-      ///   pin and bore are nearer at each bore node [m]; empty: nowhere.
+      ///   pin and bore are nearer, as they are warm [m].
       ElasticSupport(const ElasticJoint      &joint,
                      const BushingParameters &parameters,
                      const double             pin_radius,
                      const PeriodicProfile   &pin_wear = PeriodicProfile(0.),
-                     const Eigen::VectorXd   &closing  = {});
+                     const double             closing  = 0.);
 
       Multibody::SupportForce
       compute_force(const Eigen::Vector2d &e,
@@ -78,7 +78,7 @@ namespace Tribody
       double          axial_length;
       PeriodicProfile pin_wear;
       Eigen::VectorXd facing_angles;
-      Eigen::VectorXd closing;
+      double          closing;
       // Where the solver begins, and what was asked last: the integrator often
       // asks again.
       mutable Contact::ContactSolver                  solver;

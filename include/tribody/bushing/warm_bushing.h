@@ -34,27 +34,39 @@ namespace Tribody
       /// Over the degrees of freedom of WarmBushing [K].
       dealii::Vector<double> temperature;
       /// By which bore and pin have come nearer since the reference
-      /// temperature, at each bore node [m]; negative where they have come
+      /// temperature, mean around the bore [m]; negative where they have come
       /// apart.
-      Eigen::VectorXd closing;
-      /// Change of the temperatures in the last round of motion, contact and
-      /// temperature [K].
+      double closing = 0.;
+      /// The difference between where the bore has moved most and least [m]:
+      /// what an uneven heat does to its roundness, which is left out.
+      double out_of_round = 0.;
+      /// By how much the temperatures that belong to motion and contact at
+      /// these differ from them [K]: the largest.
       double residual = 0.;
+      /// Likewise that of the contact_temperature, with its sign.
+      double contact_residual = 0.;
+      /// Part of the difference by which they were corrected [-], see
+      /// correct().
+      double relaxation = 1.;
 
       /// Whether it has been computed.
       bool
       is_known() const
       {
-        return closing.size() > 0;
-      }
-
-      /// Mean of the closing around the bore [m]; zero if it is not known.
-      double
-      mean_closing() const
-      {
-        return is_known() ? closing.mean() : 0.;
+        return temperature.size() > 0;
       }
     };
+
+    /**
+     * From @p warmth, whose motion and contact have the temperatures @p found,
+     * a step of the fixed point iteration: x + omega (f(x) - x) with Aitken's
+     * relaxation, the factor that would have made the last step exact if the
+     * difference changes by the same factor each time. It is positive: where
+     * the difference grows, the joint gets warmer without bound, and so does
+     * this.
+     */
+    Warmth
+    correct(const Warmth &warmth, const Warmth &found);
 
     /**
      * What friction does to the temperature of a bushing and its pin, and that
@@ -65,7 +77,8 @@ namespace Tribody
      * bore have the same temperature T_c where they touch, the pin has it
      * everywhere. Bushing and pin expand from their sizes at the reference
      * temperature, the bushing as its rim and its plane state let it, the pin
-     * freely in all directions.
+     * freely in all directions. The bore is taken to stay as round as it was:
+     * what bulges under the contact is worn off first.
      */
     class WarmBushing
     {
@@ -75,8 +88,12 @@ namespace Tribody
                   const Multibody::JointParameters &joint,
                   const ElasticJoint               &elastic);
 
+      /// Of the bushing as it is worn now, from now on.
+      void
+      follow_geometry();
+
       /**
-       * Of the bushing as it is worn now.
+       * The temperatures, and what they do to the clearance.
        * @param heat_shape in which parts the bore nodes get the heat of the
        *   bushing, of any sum; all zero: evenly.
        * @param power Q [W].
@@ -114,9 +131,8 @@ namespace Tribody
       Thermal::TemperatureRise
       compute_rise(const Eigen::VectorXd &parts, const double power) const;
 
-      Eigen::VectorXd
-      compute_closing(const Thermal::TemperatureRise &rise,
-                      const Warmth                   &warmth) const;
+      void
+      set_closing(Warmth &warmth, const Thermal::TemperatureRise &rise) const;
 
       Thermal::HeatParameters    heat;
       Material                   bushing_material;

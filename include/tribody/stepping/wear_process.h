@@ -9,6 +9,7 @@
 #include <tribody/stepping/wear_parameters.h>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -112,14 +113,16 @@ namespace Tribody
       bool
       duty_cycle_is_outdated() const;
 
-      /// The temperatures that belong to contacts and duty cycles. Joints whose
-      /// temperature changes by more than their tolerance take the new one;
-      /// their contacts must then be solved anew, and motions that are
-      /// outdated be renewed before.
-      /// @return whether there was none.
-      /// @throws ExcRun if a joint has no clearance left.
-      bool
-      update_warmth();
+      /**
+       * Find the temperatures that belong to contacts and duty cycles and
+       * these to them, by fixed point iteration, see correct(). Nothing
+       * happens if no joint gets warm.
+       * @param renew_motion called where a duty cycle is outdated.
+       * @throws ExcRun if a joint has no clearance left, or they come to no
+       *   end.
+       */
+      void
+      settle_warmth(const std::function<void()> &renew_motion);
 
       /// Contact and wear per cycle in every bushing.
       /// @throws ExcRun if a contact problem is not solved.
@@ -182,9 +185,15 @@ namespace Tribody
       Multibody::BearingLoads
       make_loads(const Multibody::DutyCycle &cycle, const std::size_t j) const;
 
-      // Of friction in the joint, over the time of all load cases [W].
+      // A round of settle_warmth(). Joints whose temperature is off by more
+      // than their tolerance get another one; returns whether there was none.
+      bool
+      update_warmth();
+
+      // Of friction in the joint, mean over the time of all load cases [W]: the
+      // integral of mu p v over the bore.
       double
-      frictional_power(const std::string &joint) const;
+      frictional_power(const std::size_t j) const;
 
       void
       add_to_dynamics_totals(const Multibody::DutyCycle &cycle,

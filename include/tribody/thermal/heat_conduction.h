@@ -7,6 +7,8 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
@@ -51,6 +53,8 @@ namespace Tribody
      * at a rim that is as cold as the surroundings. Other edges, and the faces
      * of the bushing, are insulated. T is counted from the temperature of the
      * surroundings.
+     *
+     * Use: construct once per mesh, reinit() per geometry, then solve().
      */
     class HeatConduction
     {
@@ -67,14 +71,14 @@ namespace Tribody
                      const double                       conductivity,
                      const double heat_transfer_coefficient);
 
-      /**
-       * The temperature on the image of the mesh under @p mapping.
-       * @param nodal_heat q, into each bore node [W/m], in the order of
-       *   BoreNodes.
-       */
+      /// On the image of the mesh under @p mapping.
+      void
+      reinit(const dealii::Mapping<2, 2> &mapping);
+
+      /// The temperature. @param nodal_heat q, into each bore node [W/m], in
+      ///   the order of BoreNodes.
       TemperatureRise
-      solve(const dealii::Mapping<2, 2> &mapping,
-            const Eigen::VectorXd       &nodal_heat) const;
+      solve(const Eigen::VectorXd &nodal_heat) const;
 
       /// The same temperature everywhere.
       TemperatureRise
@@ -96,6 +100,11 @@ namespace Tribody
       dealii::AffineConstraints<double> constraints;
       /// Degrees of freedom of the bore nodes.
       std::vector<dealii::types::global_dof_index> bore_dofs;
+      dealii::SparseMatrix<double>                 matrix;
+      /// Its factors; solving changes what it counts.
+      mutable dealii::SparseDirectUMFPACK solver;
+      /// What makes a mean over the cross section of nodal values [-].
+      dealii::Vector<double> averages;
     };
   } // namespace Thermal
 } // namespace Tribody
