@@ -9,7 +9,7 @@ Mises stress in the worn ring, in the lower row the cells and, inwards from the
 bore, the contact pressure; one column each for the first, a middle and the
 last stage. The shapes are the worn ones; what has been worn away is red, the
 bore as manufactured dashed. --scale exaggerates the wear, --zoom enlarges the
-deepest place.
+deepest place, --temperature shows that of a warm joint instead of the stress.
 
 ParaView draws the rings, Matplotlib puts the picture together:
     apt-get install paraview python3-paraview python3-matplotlib xvfb
@@ -54,6 +54,11 @@ def parse_arguments():
         nargs="+",
         metavar="N",
         help="stages to draw, the nearest that exist (default: first, middle, last)",
+    )
+    parser.add_argument(
+        "--temperature",
+        action="store_true",
+        help="draw the temperature instead of the stress",
     )
     parser.add_argument(
         "--width",
@@ -129,7 +134,7 @@ def choose_stages(times, wanted):
 class Stage:
     """What is drawn in one column. Lengths in mm, stresses in MPa."""
 
-    def __init__(self, np, cycles, points, fields, scale):
+    def __init__(self, np, cycles, points, fields, scale, ring_field):
         wear = fields["wear_displacement"][:, :2] * 1e3
         worn = points[:, :2] * 1e3
         new = worn - wear
@@ -153,13 +158,34 @@ class Stage:
         self.bore = self.shape[on_bore][first]
         self.pressure = mean(fields["contact_pressure"]) * 1e-6
         self.depth = np.hypot(wear[on_bore, 0], wear[on_bore, 1])[first]
-        self.max_stress = fields["von_mises_stress"].max() * 1e-6
+        values = ring_field.shown(fields[ring_field.name])
+        self.least, self.largest = values.min(), values.max()
 
 
-FIELDS = ("wear_displacement", "contact_pressure", "von_mises_stress")
+class RingField:
+    """What the ring is coloured by: its name in the files, and how it is shown,
+    unit = value times factor plus shift."""
+
+    def __init__(self, name, label, words, unit, factor, shift, begins_at_zero):
+        self.name, self.label, self.words, self.unit = name, label, words, unit
+        self.factor, self.shift, self.begins_at_zero = factor, shift, begins_at_zero
+
+    def shown(self, value):
+        return value * self.factor + self.shift
+
+    def stored(self, shown):
+        return (shown - self.shift) / self.factor
 
 
-def read_stage(np, simple, reader, cycles, scale, file_name):
+STRESS = RingField(
+    "von_mises_stress", "von Mises stress [MPa]", "stress ", "MPa", 1e-6, 0, True
+)
+TEMPERATURE = RingField(
+    "temperature", "temperature [\u00b0C]", "", "\u00b0C", 1, -273.15, False
+)
+
+
+def read_stage(np, simple, reader, cycles, scale, file_name, ring_field):
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     reader.UpdatePipeline(cycles)
@@ -167,23 +193,27 @@ def read_stage(np, simple, reader, cycles, scale, file_name):
     while data.IsA("vtkMultiBlockDataSet"):
         data = data.GetBlock(0)
     fields = {}
-    for name in FIELDS:
+    for name in ("wear_displacement", "contact_pressure", ring_field.name):
         array = data.GetPointData().GetArray(name)
         if array is None:
             sys.exit(f"plot_bushing: {file_name} has no point field '{name}'")
         fields[name] = vtk_to_numpy(array)
-    return Stage(np, cycles, vtk_to_numpy(data.GetPoints().GetData()), fields, scale)
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    return Stage(np, cycles, points, fields, scale, ring_field)
 
 
-def set_colours(table, colours, maximum):
-    """Puts a Matplotlib colour map into a table of ParaView, from 0 to maximum."""
+def set_colours(table, colours, minimum, maximum):
+    """Puts a Matplotlib colour map into a table of ParaView."""
     table.AutomaticRescaleRangeMode = "Never"
     table.ColorSpace = "RGB"
     n = 64
     table.RGBPoints = [
         value
         for i in range(n)
-        for value in (maximum * i / (n - 1), *colours(i / (n - 1))[:3])
+        for value in (
+            minimum + (maximum - minimum) * i / (n - 1),
+            *colours(i / (n - 1))[:3],
+        )
     ]
     return table
 
@@ -218,6 +248,7 @@ def draw(arguments):
     except ImportError as error:
         sys.exit(f"plot_bushing: {error}: apt-get install python3-paraview")
     simple._DisableFirstRenderCameraReset()
+    ring_field = TEMPERATURE if arguments.temperature else STRESS
 
     reader = simple.PVDReader(FileName=os.path.abspath(pvd))
     reader.UpdatePipelineInformation()
@@ -225,7 +256,7 @@ def draw(arguments):
     if not times:
         sys.exit(f"plot_bushing: {pvd} lists no stages")
     stages = [
-        read_stage(np, simple, reader, times[i], arguments.scale, pvd)
+        read_stage(np, simple, reader, times[i], arguments.scale, pvd, ring_field)
         for i in choose_stages(times, arguments.cycles)
     ]
 
@@ -240,9 +271,12 @@ def draw(arguments):
         centre = np.clip(last.bore[deepest], half - extent, extent - half)
     window = (centre[0] - half, centre[0] + half, centre[1] - half, centre[1] + half)
 
-    max_stress = rounded_up(max(stage.max_stress for stage in stages))
+    least = 0 if ring_field.begins_at_zero else min(stage.least for stage in stages)
+    largest = max(stage.largest for stage in stages)
+    if ring_field.begins_at_zero:
+        largest = rounded_up(largest)
     max_pressure = rounded_up(max(stage.pressure.max() for stage in stages))
-    stress_colours = matplotlib.colormaps["viridis"]
+    ring_colours = matplotlib.colormaps["inferno" if arguments.temperature else "viridis"]
     pressure_colours = matplotlib.colormaps["YlOrRd"]
 
     n = len(stages)
@@ -272,7 +306,7 @@ def draw(arguments):
     ring = simple.Show(warp, view)
     ring.NonlinearSubdivisionLevel = 3
     ring.Ambient, ring.Diffuse, ring.Specular = 1, 0, 0
-    stress_table = simple.GetColorTransferFunction("von_mises_stress")
+    ring_table = simple.GetColorTransferFunction(ring_field.name)
 
     def render(file_name):
         simple.SaveScreenshot(file_name, view, ImageResolution=[pixels, pixels])
@@ -334,8 +368,13 @@ def draw(arguments):
         image_file = os.path.join(directory, "panel.png")
         for column, stage in enumerate(stages):
             view.ViewTime = stage.cycles
-            simple.ColorBy(ring, ("POINTS", "von_mises_stress"))
-            set_colours(stress_table, stress_colours, 1e6 * max_stress)
+            simple.ColorBy(ring, ("POINTS", ring_field.name))
+            set_colours(
+                ring_table,
+                ring_colours,
+                ring_field.stored(least),
+                ring_field.stored(largest),
+            )
             ring.SetScalarBarVisibility(view, False)
             ring.SetRepresentationType("Surface")
             axes = add_panel(0, column, render(image_file))
@@ -346,7 +385,10 @@ def draw(arguments):
             add_band(axes, stage.new_bore, stage.bore, worn_away, "#d9303a")
             depth = stage.depth.max()
             wear = f"wear {depth:.3g} mm" if depth > 0 else "no wear"
-            add_note(axes, f"{wear}, stress up to {stage.max_stress:.3g} MPa")
+            add_note(
+                axes,
+                f"{wear}, {ring_field.words}up to {stage.largest:.3g} {ring_field.unit}",
+            )
 
             simple.ColorBy(ring, None)
             ring.SetRepresentationType("Surface With Edges")
@@ -367,10 +409,10 @@ def draw(arguments):
             axes.plot(*outline.T, color="0.25", linewidth=0.5)
             add_note(axes, f"pressure up to {stage.pressure.max():.3g} MPa")
 
-    for row, (colours, maximum, label) in enumerate(
+    for row, (colours, minimum, maximum, label) in enumerate(
         (
-            (stress_colours, max_stress, "von Mises stress [MPa]"),
-            (pressure_colours, max_pressure, "contact pressure [MPa]"),
+            (ring_colours, least, largest, ring_field.label),
+            (pressure_colours, 0, max_pressure, "contact pressure [MPa]"),
         )
     ):
         bar_axes = figure.add_axes(
@@ -383,7 +425,7 @@ def draw(arguments):
         )
         bar = figure.colorbar(
             matplotlib.cm.ScalarMappable(
-                matplotlib.colors.Normalize(0, maximum), cmap=colours
+                matplotlib.colors.Normalize(minimum, maximum), cmap=colours
             ),
             cax=bar_axes,
         )

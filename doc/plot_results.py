@@ -5,11 +5,11 @@
     doc/plot_results.py OUTPUT_DIR [JOINT ...] -o results.png
 
 A row for each joint (default: all), with what there is of it: the joint force
-and the angle of contact in the bushing frame against the crank angle, the worn
-profile (and, dashed, that of a pin that wears, in its own frame), depth and
-volume against cycles. --compare draws a second run, dotted, into the last
-panel. The picture's format follows its name
-(.png, .pdf, .svg). Needs Matplotlib: apt-get install python3-matplotlib
+and the angle of contact in the bushing frame against the phase of the cycle (of
+the first and the last cycle, or the last one of each load case), the worn profile
+(and, dashed, that of a pin that wears, in its own frame), depth and volume
+against cycles. --compare draws a second run, dotted, into the last panel. The
+picture's format follows its name (.png, .pdf, .svg). Needs Matplotlib: apt-get install python3-matplotlib
 """
 
 import argparse
@@ -70,6 +70,19 @@ def numbered_files(directory, stem):
     return sorted(pairs)
 
 
+def duty_cycles(directory):
+    """Pairs (number, file) of the duty cycles of each load case, by its name."""
+    cases = {}
+    for file_name in glob.glob(os.path.join(glob.escape(directory), "duty_cycle_*.csv")):
+        name = os.path.basename(file_name)
+        match = re.fullmatch(r"duty_cycle_(?:(.+)_)?(\d+)\.csv", name)
+        if match:
+            cases.setdefault(match.group(1) or "", []).append(
+                (int(match.group(2)), file_name)
+            )
+    return {case: sorted(pairs) for case, pairs in sorted(cases.items())}
+
+
 def spread(items, n):
     """At most n of the items, evenly spread, the first and the last among them."""
     if len(items) <= n:
@@ -103,7 +116,7 @@ class Run:
         return [
             name
             for name in sorted(os.listdir(self.output_dir))
-            if numbered_files(os.path.join(self.output_dir, name), "duty_cycle")
+            if duty_cycles(os.path.join(self.output_dir, name))
             or numbered_files(os.path.join(self.output_dir, name), "profile")
         ]
 
@@ -119,31 +132,38 @@ def colours_for(pairs):
     return [colours(0.9 * i / max(len(pairs) - 1, 1)) for i in range(len(pairs))]
 
 
-def first_and_last_cycle(run, joint):
-    """Label, table, file, colour and line width of the cycles to draw."""
-    pairs = numbered_files(os.path.join(run.output_dir, joint), "duty_cycle")
-    pairs = [pairs[0], pairs[-1]] if len(pairs) > 2 else pairs
-    # The first line is the wider one: it stays visible where the two coincide.
-    styles = [("0.7", 3.0), ("C3", 1.2)][-len(pairs) :]
+def cycles_to_draw(run, joint):
+    """Label, table, file, colour and line width: the first and the last cycle, or
+    the last one of each load case."""
+    cases = duty_cycles(os.path.join(run.output_dir, joint))
+    if list(cases) == [""]:
+        pairs = cases[""]
+        pairs = [pairs[0], pairs[-1]] if len(pairs) > 2 else pairs
+        # The first line is the wider one: it stays visible where the two coincide.
+        styles = [("0.7", 3.0), ("C3", 1.2)][-len(pairs) :]
+        return [
+            (run.label(number), read_csv(file_name), file_name, colour, width)
+            for (number, file_name), (colour, width) in zip(pairs, styles)
+        ]
     return [
-        (run.label(number), read_csv(file_name), file_name, colour, width)
-        for (number, file_name), (colour, width) in zip(pairs, styles)
+        (case, read_csv(pairs[-1][1]), pairs[-1][1], f"C{i % 10}", 1.2)
+        for i, (case, pairs) in enumerate(cases.items())
     ]
 
 
-def label_crank_angle(axes):
+def label_phase(axes):
     axes.set_xlim(0, 360)
     axes.set_xticks(range(0, 361, 90))
-    axes.set_xlabel("crank angle [deg]")
+    axes.set_xlabel("phase of the cycle [deg]")
 
 
 def draw_force(axes, run, joint):
-    for label, table, file_name, colour, width in first_and_last_cycle(run, joint):
+    for label, table, file_name, colour, width in cycles_to_draw(run, joint):
         name = "force [N]" if "force [N]" in table else "normal_force [N]"
         force = column(table, name, file_name)
         phase = column(table, "phase [deg]", file_name)
         axes.plot(phase, force, color=colour, linewidth=width, label=label)
-    label_crank_angle(axes)
+    label_phase(axes)
     axes.set_ylim(bottom=0)
     axes.set_ylabel("joint force [N]")
     axes.legend(frameon=False, fontsize="small")
@@ -151,12 +171,15 @@ def draw_force(axes, run, joint):
 
 def has_contact_angle(run, joint):
     """Joints with clearance have one."""
-    pairs = numbered_files(os.path.join(run.output_dir, joint), "duty_cycle")
-    return bool(pairs) and "contact_angle_bushing [deg]" in read_csv(pairs[0][1])
+    cases = duty_cycles(os.path.join(run.output_dir, joint))
+    return any(
+        "contact_angle_bushing [deg]" in read_csv(pairs[0][1])
+        for pairs in cases.values()
+    )
 
 
 def draw_contact_angle(axes, run, joint):
-    for label, table, file_name, colour, width in first_and_last_cycle(run, joint):
+    for label, table, file_name, colour, width in cycles_to_draw(run, joint):
         phase = column(table, "phase [deg]", file_name)
         angle = column(table, "contact_angle_bushing [deg]", file_name).copy()
         # Nothing is drawn where the pin flies, nor across 360 deg.
@@ -169,7 +192,7 @@ def draw_contact_angle(axes, run, joint):
             linewidth=width,
             label=label,
         )
-    label_crank_angle(axes)
+    label_phase(axes)
     axes.set_ylim(0, 360)
     axes.set_yticks(range(0, 361, 90))
     axes.set_ylabel("contact angle in bushing [deg]")
@@ -285,7 +308,7 @@ def main():
     ):
         strip.suptitle(joint.replace("_", " "), weight="bold")
         directory = os.path.join(run.output_dir, joint)
-        if numbered_files(directory, "duty_cycle"):
+        if duty_cycles(directory):
             draw_force(strip.add_subplot(1, 4, 1), run, joint)
         if has_contact_angle(run, joint):
             draw_contact_angle(strip.add_subplot(1, 4, 2), run, joint)
