@@ -189,7 +189,9 @@ namespace Tribody
     double
     WarmBushing::modulus_factor(const Warmth &warmth) const
     {
-      return modulus.is_one() ? 1. : modulus.value(warmth.mean_temperature);
+      return modulus.is_one() || !warmth.is_known()
+               ? 1.
+               : modulus.value(warmth.mean_temperature);
     }
 
 
@@ -197,8 +199,9 @@ namespace Tribody
     double
     WarmBushing::friction_factor(const Warmth &warmth) const
     {
-      return friction.is_one() ? 1.
-                               : friction.value(warmth.contact_temperature);
+      return friction.is_one() || !warmth.is_known()
+               ? 1.
+               : friction.value(warmth.contact_temperature);
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/numbers.h>
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/ranks.h>
-#include <tribody/base/significant_digits.h>
-#include <tribody/base/units.h>
 #include <tribody/bushing/elastic_support.h>
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/contact/contact_solver.h>
@@ -431,85 +428,12 @@ namespace Tribody
 
 
 
-    Warmth
-    WearingBushing::compute_warmth(const CycleContact &contact,
-                                   const double        power,
-                                   const double ambient_temperature) const
-    {
-      return heat != nullptr ? heat->compute(contact.force_over_sliding,
-                                             power,
-                                             ambient_temperature)
-                             : Warmth();
-    }
-
-
-
     void
     WearingBushing::set_warmth(const Warmth &warmth)
     {
       warm = warmth;
       if (heat != nullptr)
-        {
-          elastic.scale_modulus(warm.is_known() ? heat->modulus_factor(warm)
-                                                : 1.);
-          check_clearance();
-        }
-    }
-
-
-
-    void
-    WearingBushing::check_clearance() const
-    {
-      if (!warm.is_known())
-        return;
-      // How much wider the bore is than the pin, across both.
-      const PeriodicProfile bore = clearance().bushing;
-      const double pin_wear      = pin ? pin->profile().depth.minCoeff() : 0.;
-      double       narrowest     = std::numeric_limits<double>::max();
-      for (const double angle : node_angles())
-        narrowest =
-          std::min(narrowest,
-                   bore.value(angle) + bore.value(angle + dealii::numbers::PI));
-      narrowest += 2. * pin_wear;
-      const auto shown_length = [](const double length) {
-        return Units::to_string(
-          std::strtod(significant_digits(length, 4).c_str(), nullptr),
-          "m",
-          "mm");
-      };
-      const auto celsius = [](const double temperature) {
-        return significant_digits(temperature - 273.15, 4) + " degC";
-      };
-      AssertThrow(
-        narrowest > 0.,
-        ExcRun("Joint " + name() +
-               ": no clearance is left when it is warm. At " +
-               celsius(warm.contact_temperature) + " in the contact and " +
-               celsius(warm.mean_temperature) +
-               " in the bushing, pin and bore have come nearer by " +
-               shown_length(warm.closing) + ", of a clearance of " +
-               shown_length(joint.clearance()) +
-               " at the 'Reference temperature'. It takes more clearance, "
-               "less friction, load or speed, a better path for the heat, or a "
-               "material that expands less"));
-    }
-
-
-
-    double
-    WearingBushing::temperature_tolerance() const
-    {
-      return heat != nullptr ? heat->tolerance()
-                             : std::numeric_limits<double>::infinity();
-    }
-
-
-
-    double
-    WearingBushing::friction_factor(const Warmth &warmth) const
-    {
-      return warmth.is_known() ? heat->friction_factor(warmth) : 1.;
+        elastic.scale_modulus(heat->modulus_factor(warm));
     }
 
 
@@ -518,7 +442,7 @@ namespace Tribody
     WearingBushing::youngs_modulus() const
     {
       return joint.bushing_material.youngs_modulus *
-             (warm.is_known() ? heat->modulus_factor(warm) : 1.);
+             (heat != nullptr ? heat->modulus_factor(warm) : 1.);
     }
 
 

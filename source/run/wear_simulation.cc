@@ -11,11 +11,11 @@
 #include <tribody/base/ranks.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
-#include <tribody/bushing/mesh_resolution.h>
 #include <tribody/case/memory_estimate.h>
 #include <tribody/results/printed_summary.h>
 #include <tribody/results/summary_json.h>
 #include <tribody/run/make_unworn_supports.h>
+#include <tribody/run/mesh_resolution.h>
 #include <tribody/run/wear_simulation.h>
 
 #include <algorithm>
@@ -735,9 +735,10 @@ namespace Tribody
     {
       std::map<std::string, double> friction_factors;
       for (const WearingBushing &bushing : process.bushings())
-        if (const double factor = bushing.friction_factor(bushing.warmth());
-            factor != 1.)
-          friction_factors.emplace(bushing.name(), factor);
+        if (const WarmBushing *heat = bushing.warm_bushing())
+          if (const double factor = heat->friction_factor(bushing.warmth());
+              factor != 1.)
+            friction_factors.emplace(bushing.name(), factor);
       if (friction_factors.empty())
         return cases[i].run(clearances, supports, arcs, before);
       const LoadCase warm =

@@ -207,9 +207,10 @@ namespace Tribody
               const double closed =
                 joint.warmth.closing - joint.warmth_at_dynamics.closing;
               change += std::abs(closed);
-              const double friction =
-                bushing.friction_factor(joint.warmth) /
-                bushing.friction_factor(joint.warmth_at_dynamics);
+              const WarmBushing &heat = *bushing.warm_bushing();
+              const double       friction =
+                heat.friction_factor(joint.warmth) /
+                heat.friction_factor(joint.warmth_at_dynamics);
               is_outdated =
                 is_outdated || std::abs(friction - 1.) > dynamics_update;
             }
@@ -231,7 +232,7 @@ namespace Tribody
       if (std::none_of(joint_bushings.begin(),
                        joint_bushings.end(),
                        [](const WearingBushing &bushing) {
-                         return bushing.bushing_parameters().heat.is_on();
+                         return bushing.warm_bushing() != nullptr;
                        }))
         return;
       for (unsigned int round = 0; round < max_rounds; ++round)
@@ -245,7 +246,8 @@ namespace Tribody
         }
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         if (const Warmth &warmth = run_state.joints[j].warmth;
-            warmth.residual > joint_bushings[j].temperature_tolerance())
+            joint_bushings[j].warm_bushing() != nullptr &&
+            warmth.residual > joint_bushings[j].warm_bushing()->tolerance())
           throw ExcRun(
             "Joint " + joint_bushings[j].name() +
             ": its temperature comes to no end. After " +
@@ -274,16 +276,16 @@ namespace Tribody
           temperature_over_time += of_case * ambient[i];
         }
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
-        if (WearingBushing &bushing = joint_bushings[j];
-            bushing.bushing_parameters().heat.is_on())
+        if (const WarmBushing *heat = joint_bushings[j].warm_bushing())
           {
-            JointState  &joint = run_state.joints[j];
-            const Warmth corrected =
+            WearingBushing &bushing = joint_bushings[j];
+            JointState     &joint   = run_state.joints[j];
+            const Warmth    corrected =
               correct(joint.warmth,
-                      bushing.compute_warmth(joint.contact,
-                                             frictional_power(j),
-                                             temperature_over_time / time));
-            if (corrected.residual <= bushing.temperature_tolerance())
+                      heat->compute(joint.contact.force_over_sliding,
+                                    frictional_power(j),
+                                    temperature_over_time / time));
+            if (corrected.residual <= heat->tolerance())
               {
                 joint.warmth.residual         = corrected.residual;
                 joint.warmth.contact_residual = corrected.contact_residual;
@@ -292,6 +294,7 @@ namespace Tribody
             have_settled = false;
             joint.warmth = corrected;
             bushing.set_warmth(corrected);
+            check_warm_clearance(bushing);
             if (bushing.depth_at_compliance() != joint.depth_at_compliance)
               ++run_state.counts.compliance_builds;
             joint.depth_at_compliance = bushing.depth_at_compliance();

@@ -5,8 +5,8 @@
 // around it, so that these have closed forms wherever the contact is, as long
 // as little is worn:
 // - power mu F_N v with F = F_N sqrt(1 + mu^2), times what the pressures add up
-//   to over the force, as for the worn volume, which is k F s times that (1e-3:
-//   friction is smooth at rest);
+//   to over the force, as for the worn volume, which is k F s times that (0.5
+//   %: the volume has its mean over the run, in which the contact grows);
 // - with its rim at ambient temperature the ring is warmer in the mean by
 //   Q/(2 pi lambda L) (1/2 - a^2/(b^2 - a^2) ln(b/a)) (the mesh: 1e-4);
 // - pin and bore come nearer by the expansion of a ring in a rigid housing
@@ -164,8 +164,8 @@ namespace
           "  set Thermal expansion = 1.2e-5 K^-1\nend\n");
     const Coupling::Warmth &warm = warmth(results);
     const double known           = 0.1 * normal_force * speed * spread(results);
-    out() << "power " << known << " W: right to 0.1 % "
-          << (relative(warm.power, known) < 1e-3) << std::endl;
+    out() << "power " << known << " W: right to 0.5 % "
+          << (relative(warm.power, known) < 5e-3) << std::endl;
     out() << "mean rise " << mean_rise(warm.power) << " K: right to 0.1 % "
           << (relative(warm.mean_temperature - ambient, mean_rise(warm.power)) <
               1e-3)

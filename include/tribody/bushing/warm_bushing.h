@@ -111,11 +111,12 @@ namespace Tribody
         return conduction.get_dof_handler();
       }
 
-      /// What multiplies Young's modulus of the bushing [-].
+      /// What multiplies Young's modulus of the bushing [-]; one if @p warmth
+      /// is not known.
       double
       modulus_factor(const Warmth &warmth) const;
 
-      /// What multiplies the friction coefficients of the joint [-].
+      /// Likewise the friction coefficients of the joint [-].
       double
       friction_factor(const Warmth &warmth) const;
 

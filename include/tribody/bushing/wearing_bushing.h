@@ -194,17 +194,14 @@ namespace Tribody
       void
       set_depth(const Eigen::VectorXd &depth);
 
-      /// The temperature for friction of the mean power @p power [W] that heats
-      /// the bore as in @p contact, in surroundings of @p ambient_temperature
-      /// [K]; nothing if nobody asks for it.
-      Warmth
-      compute_warmth(const CycleContact &contact,
-                     const double        power,
-                     const double        ambient_temperature) const;
+      /// What computes its temperature, or nullptr if it does not get warm.
+      const WarmBushing *
+      warm_bushing() const
+      {
+        return heat.get();
+      }
 
-      /// Be as warm: its clearance, its modulus and what its wear coefficient
-      /// depends on follow. The default: as cold as manufactured.
-      /// @throws ExcRun if there is no clearance left.
+      /// Its clearance, modulus and wear follow; by default it is cold.
       void
       set_warmth(const Warmth &warmth);
 
@@ -214,16 +211,6 @@ namespace Tribody
       {
         return warm;
       }
-
-      /// Between two rounds, below which the temperatures agree [K]; infinite
-      /// if nobody asks for them.
-      double
-      temperature_tolerance() const;
-
-      /// What multiplies the friction coefficients of the joint if it is as
-      /// warm as @p warmth has it [-].
-      double
-      friction_factor(const Warmth &warmth) const;
 
       /// Young's modulus of the bushing, as warm as it is [Pa].
       double
@@ -286,7 +273,7 @@ namespace Tribody
       PeriodicProfile
       pin_wear_profile() const;
 
-      /// The worn and warm surfaces as the dynamics takes them. A ring without
+      /// The worn, warm surfaces as the dynamics takes them. A ring without
       /// inertia
       /// in a housing follows the pin until it touches that: the pin has the
       /// gap of the housing more to go, in all directions.
@@ -414,10 +401,6 @@ namespace Tribody
                                const CycleContact    &contact,
                                const Eigen::Index     j,
                                const Eigen::MatrixXd &S) const;
-
-      /// @throws ExcRun if the pin does not fit its bore any more.
-      void
-      check_clearance() const;
 
       BushingParameters           parameters;
       Multibody::JointParameters  joint;

@@ -5,11 +5,11 @@
 
 #include <Eigen/Core>
 
-#include <tribody/bushing/premises.h>
 #include <tribody/bushing/warm_bushing.h>
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
 #include <tribody/stepping/mesh_error.h>
+#include <tribody/stepping/premises.h>
 #include <tribody/wear/implicit_extrapolation.h>
 
 #include <array>

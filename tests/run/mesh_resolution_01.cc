@@ -15,7 +15,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/bushing/mesh_resolution.h>
+#include <tribody/run/mesh_resolution.h>
 #include <tribody/stepping/coarse_run.h>
 #include <tribody/stepping/wear_process.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_bushing_premises_h
-#define tribody_bushing_premises_h
+#ifndef tribody_stepping_premises_h
+#define tribody_stepping_premises_h
 
 #include <tribody/bushing/wearing_bushing.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
@@ -68,6 +68,11 @@ namespace Tribody
     check_pin_in_bore(const WearingBushing            &bushing,
                       const Multibody::JointDutyCycle &cycle,
                       const Eigen::VectorXd           &time);
+
+    /// The pin fits its bore, as warm as both are: nowhere is the bore narrower
+    /// than the pin. @throws ExcRun that has temperatures and clearance.
+    void
+    check_warm_clearance(const WearingBushing &bushing);
   } // namespace Coupling
 } // namespace Tribody
 

@@ -7,8 +7,8 @@
 #include <tribody/base/units.h>
 #include <tribody/bushing/bushing_mesh.h>
 #include <tribody/bushing/elastic_joint.h>
-#include <tribody/bushing/mesh_resolution.h>
 #include <tribody/contact/contact_solver.h>
+#include <tribody/run/mesh_resolution.h>
 
 #include <algorithm>
 #include <cmath>

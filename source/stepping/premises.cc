@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include <tribody/base/exceptions.h>
 #include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
-#include <tribody/bushing/premises.h>
+#include <tribody/stepping/premises.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Tribody
 {
@@ -129,6 +132,44 @@ namespace Tribody
                ": the pin has left its bore, which its contact force "
                "law does not hold. Look at loads, speed, radii and "
                "moduli"));
+    }
+
+
+
+    void
+    check_warm_clearance(const WearingBushing &bushing)
+    {
+      const Warmth        &warmth    = bushing.warmth();
+      const JointClearance clearance = bushing.clearance();
+      double               narrowest = std::numeric_limits<double>::max();
+      for (const double angle : bushing.node_angles())
+        narrowest =
+          std::min(narrowest,
+                   clearance.bushing.value(angle) +
+                     clearance.bushing.value(angle + dealii::numbers::PI));
+      if (const WearingPin *pin = bushing.wearing_pin())
+        narrowest += 2. * pin->profile().depth.minCoeff();
+      const auto shown = [](const double length) {
+        return Units::to_string(
+          std::strtod(significant_digits(length, 4).c_str(), nullptr),
+          "m",
+          "mm");
+      };
+      const auto celsius = [](const double temperature) {
+        return significant_digits(temperature - 273.15, 4) + " degC";
+      };
+      AssertThrow(
+        narrowest > 0.,
+        ExcRun("Joint " + bushing.name() +
+               ": no clearance is left when it is warm. At " +
+               celsius(warmth.contact_temperature) + " in the contact and " +
+               celsius(warmth.mean_temperature) +
+               " in the bushing, pin and bore have come nearer by " +
+               shown(warmth.closing) + ", of a clearance of " +
+               shown(bushing.joint_parameters().clearance()) +
+               " at the 'Reference temperature'. It takes more clearance, "
+               "less friction, load or speed, a better path for the heat, or a "
+               "material that expands less"));
     }
   } // namespace Coupling
 } // namespace Tribody

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef tribody_bushing_mesh_resolution_h
-#define tribody_bushing_mesh_resolution_h
+#ifndef tribody_run_mesh_resolution_h
+#define tribody_run_mesh_resolution_h
 
 #include <tribody/bushing/bushing_parameters.h>
 #include <tribody/multibody/cycle/duty_cycle.h>
