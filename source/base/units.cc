@@ -6,6 +6,7 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/in_quotes.h>
+#include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 
 #include <cctype>
@@ -351,23 +352,47 @@ namespace Tribody
 
 
 
+  namespace
+  {
+    double
+    in_unit(const double       value,
+            const std::string &si_unit,
+            const std::string &shown_unit)
+    {
+      return si_unit.empty() || shown_unit == si_unit
+               ? value
+               : convert(value,
+                         parse_unit(si_unit).get(),
+                         parse_unit(shown_unit).get());
+    }
+  } // namespace
+
+
+
   std::string
   Units::to_string(const double       value,
                    const std::string &si_unit,
                    const std::string &shown_unit)
   {
-    double shown = value;
-    if (!si_unit.empty() && shown_unit != si_unit)
-      shown =
-        convert(value, parse_unit(si_unit).get(), parse_unit(shown_unit).get());
-
     // The fewest digits that read back as the same number, but for the last
     // two: those are the rounding of the conversion.
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::digits10 - 1);
-    out << shown;
+    out << in_unit(value, si_unit, shown_unit);
     if (!si_unit.empty())
       out << ' ' << shown_unit;
     return out.str();
+  }
+
+
+
+  std::string
+  Units::to_string(const double       value,
+                   const std::string &si_unit,
+                   const std::string &shown_unit,
+                   const int          n_digits)
+  {
+    return significant_digits(in_unit(value, si_unit, shown_unit), n_digits) +
+           (si_unit.empty() ? "" : " " + shown_unit);
   }
 } // namespace Tribody

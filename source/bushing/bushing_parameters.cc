@@ -5,7 +5,6 @@
 
 #include <tribody/base/exceptions.h>
 #include <tribody/base/parameters.h>
-#include <tribody/base/significant_digits.h>
 #include <tribody/base/units.h>
 #include <tribody/bushing/bushing_mesh.h>
 #include <tribody/bushing/bushing_parameters.h>
@@ -387,10 +386,7 @@ namespace Tribody
               Units::to_string(limits[i], limit.si_unit, limit.shown_unit) +
                 " is passed before any wear: the " + limit.quantity +
                 " of the new joint is " +
-                Units::to_string(
-                  std::strtod(significant_digits(unworn, 6).c_str(), nullptr),
-                  limit.si_unit,
-                  limit.shown_unit) +
+                Units::to_string(unworn, limit.si_unit, limit.shown_unit, 6) +
                 ". Set a larger limit, or 0 for none"));
         }
     }
@@ -404,6 +400,11 @@ namespace Tribody
       heat.check(path + "/Heat", joint.bushing_material);
       if (heat.is_on())
         {
+          AssertThrow(name_of(joint.friction_law) != "none",
+                      ExcParameter(path + "/Heat/Temperature",
+                                   "is 'steady', but 'Joint " + name +
+                                     "/Friction law' is 'none': without "
+                                     "friction there is no heat"));
           AssertThrow(!shares_mesh(),
                       ExcParameter(path + "/Heat/Temperature",
                                    "'steady' needs 'Stiffness solver = "
@@ -420,18 +421,22 @@ namespace Tribody
                            joint.bushing_material.name + "' to 0"));
           return;
         }
-      const auto needs_none = [&](const Wear::WearLaw &law,
-                                  const std::string   &entry) {
-        AssertThrow(!law.depends_on_temperature(),
+      const auto check_factor = [&](const bool         depends,
+                                    const std::string &entry) {
+        AssertThrow(!depends,
                     ExcParameter(path + "/" + entry,
                                  "depends on the temperature, which nobody "
                                  "computes; write 'set Temperature = steady' "
                                  "in the subsection 'Heat' of the bushing"));
       };
-      needs_none(wear_law(),
-                 wear_coefficient_table.empty() ? "Wear coefficient factor"
-                                                : "Wear coefficient table");
-      needs_none(pin_wear_law(), "Pin wear coefficient factor");
+      const std::string of_bushing = "Wear coefficient factor",
+                        of_pin     = "Pin wear coefficient factor";
+      check_factor(make_wear_law(1., wear_coefficient_factor, of_bushing)
+                     .depends_on_temperature(),
+                   of_bushing);
+      check_factor(pin_wear_law().depends_on_temperature(), of_pin);
+      check_factor(wear_law().depends_on_temperature(),
+                   "Wear coefficient table");
     }
 
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <tribody/base/ranks.h>
 #include <tribody/bushing/warm_bushing.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -53,16 +55,16 @@ namespace Tribody
         std::max({std::abs(result.contact_residual),
                   std::abs(found.max_temperature - warmth.max_temperature),
                   std::abs(found.mean_temperature - warmth.mean_temperature)});
-      if (!warmth.is_known())
-        return result;
-
-      const double growth = warmth.contact_residual - result.contact_residual;
-      result.relaxation   = warmth.relaxation;
-      if (growth != 0. && warmth.contact_residual != 0.)
-        result.relaxation =
-          std::clamp(warmth.relaxation * warmth.contact_residual / growth,
-                     smallest,
-                     largest);
+      const double decrease = warmth.contact_residual - result.contact_residual;
+      if (warmth.contact_residual != 0. && decrease != 0.)
+        {
+          const double exact =
+            warmth.relaxation * warmth.contact_residual / decrease;
+          result.relaxation = std::clamp(exact, smallest, largest);
+          // So far is the end, and farther than the difference where that
+          // hardly becomes smaller.
+          result.residual *= std::max(1., exact);
+        }
       const double omega   = result.relaxation;
       const auto   towards = [omega](const double from, const double to) {
         return from + omega * (to - from);
@@ -74,17 +76,64 @@ namespace Tribody
       result.mean_temperature =
         towards(warmth.mean_temperature, found.mean_temperature);
       result.temperature.sadd(omega, 1. - omega, warmth.temperature);
-      result.closing =
-        warmth.closing + omega * (found.closing - warmth.closing);
+      result.closing = towards(warmth.closing, found.closing);
       return result;
     }
 
 
 
+    Warmth
+    halfway(const Warmth &warmth, const Warmth &corrected)
+    {
+      Warmth result = corrected;
+      result.relaxation *= 0.5;
+      for (double Warmth::*value : {&Warmth::contact_temperature,
+                                    &Warmth::max_temperature,
+                                    &Warmth::mean_temperature,
+                                    &Warmth::closing})
+        result.*value = 0.5 * (warmth.*value + corrected.*value);
+      result.temperature.sadd(0.5, 0.5, warmth.temperature);
+      return result;
+    }
+
+
+
+    namespace
+    {
+      // What roundings of ranks may not tell apart: they go on together.
+      void
+      take_from_first_rank(Warmth &warmth, const MPI_Comm &communicator)
+      {
+        const std::array<double *, 8> values = {{&warmth.power,
+                                                 &warmth.shaft_power,
+                                                 &warmth.ambient_temperature,
+                                                 &warmth.contact_temperature,
+                                                 &warmth.max_temperature,
+                                                 &warmth.mean_temperature,
+                                                 &warmth.closing,
+                                                 &warmth.out_of_round}};
+        const auto      n = static_cast<Eigen::Index>(values.size());
+        Eigen::VectorXd all(n + warmth.temperature.size());
+        for (Eigen::Index i = 0; i < n; ++i)
+          all[i] = *values[i];
+        std::copy(warmth.temperature.begin(),
+                  warmth.temperature.end(),
+                  all.begin() + n);
+        Ranks::broadcast(all, 0, communicator);
+        for (Eigen::Index i = 0; i < n; ++i)
+          *values[i] = all[i];
+        std::copy(all.begin() + n, all.end(), warmth.temperature.begin());
+      }
+    } // namespace
+
+
+
     WarmBushing::WarmBushing(const BushingParameters          &parameters,
                              const Multibody::JointParameters &joint,
-                             const ElasticJoint               &elastic)
-      : heat(parameters.heat)
+                             const ElasticJoint               &elastic,
+                             const MPI_Comm                   &communicator)
+      : communicator(communicator)
+      , heat(parameters.heat)
       , bushing_material(joint.bushing_material)
       , axial_length(parameters.axial_length)
       , pin_radius(joint.pin_radius)
@@ -136,6 +185,7 @@ namespace Tribody
       warmth.temperature      = rise.field;
       warmth.temperature.add(ambient_temperature);
       set_closing(warmth, rise);
+      take_from_first_rank(warmth, communicator);
       return warmth;
     }
 
@@ -180,7 +230,8 @@ namespace Tribody
         elastic.thermal_displacement(conduction.get_dof_handler(),
                                      above_reference,
                                      bushing_material.thermal_expansion);
-      warmth.closing -= outwards.mean();
+      const Eigen::VectorXd &weights = elastic.bore().weights;
+      warmth.closing -= outwards.dot(weights) / weights.sum();
       warmth.out_of_round = outwards.maxCoeff() - outwards.minCoeff();
     }
 

@@ -67,7 +67,10 @@ namespace Tribody
                                            joint.pin_radius,
                                            parameters.pin_wear_law());
       if (parameters.heat.is_on())
-        heat = std::make_unique<WarmBushing>(parameters, joint, elastic);
+        heat = std::make_unique<WarmBushing>(parameters,
+                                             joint,
+                                             elastic,
+                                             communicator);
     }
 
 

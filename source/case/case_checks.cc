@@ -269,7 +269,15 @@ namespace Tribody
            parameters.mechanism.joints)
         joint.check();
       for (const BushingParameters &bushing : parameters.bushings)
-        bushing.check(parameters.joint(bushing.name));
+        {
+          bushing.check(parameters.joint(bushing.name));
+          AssertThrow(parameters.cycles > 0 || !bushing.heat.is_on(),
+                      ExcParameter("Bushing " + bushing.name +
+                                     "/Heat/Temperature",
+                                   "'steady' needs the contacts of a run with "
+                                   "wear, but 'Cycles' is 0; set 1 cycle, or "
+                                   "'none' for the motion of the cold joint"));
+        }
 
       AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),
                   ExcParameter("Cycles",

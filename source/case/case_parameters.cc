@@ -396,6 +396,19 @@ namespace Tribody
 
 
 
+    const BushingParameters *
+    CaseParameters::bushing(const std::string &name) const
+    {
+      const auto found = std::find_if(bushings.begin(),
+                                      bushings.end(),
+                                      [&name](const BushingParameters &b) {
+                                        return b.name == name;
+                                      });
+      return found != bushings.end() ? &*found : nullptr;
+    }
+
+
+
     bool
     CaseParameters::has_given_loads() const
     {

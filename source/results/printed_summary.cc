@@ -157,7 +157,7 @@ namespace Tribody
       print_heat(std::ostream &out, const Warmth &warmth)
       {
         const auto celsius = [](const double temperature) {
-          return significant_digits(temperature - 273.15, 4) + " degC";
+          return Units::to_string(temperature, "K", "degC", 4);
         };
         out << "    heat: friction " << significant_digits(warmth.power, 4)
             << " W";

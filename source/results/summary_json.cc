@@ -159,13 +159,14 @@ namespace Tribody
 
 
       Json
-      heat_to_json(const Warmth &warmth)
+      heat_to_json(const Warmth &warmth, const double max_temperature_so_far)
       {
         return {{"friction_power_W", warmth.power},
                 {"shaft_power_W", warmth.shaft_power},
                 {"ambient_temperature_K", warmth.ambient_temperature},
                 {"contact_temperature_K", warmth.contact_temperature},
                 {"max_temperature_K", warmth.max_temperature},
+                {"max_temperature_so_far_K", max_temperature_so_far},
                 {"mean_temperature_K", warmth.mean_temperature},
                 {"closing_m", warmth.closing},
                 {"out_of_round_m", warmth.out_of_round},
@@ -214,7 +215,9 @@ namespace Tribody
                                {"message", describe(strains)}};
         if (const Warmth &warmth = state.joints[bushing.number].warmth;
             warmth.is_known())
-          json["heat"] = heat_to_json(warmth);
+          json["heat"] =
+            heat_to_json(warmth,
+                         state.joints[bushing.number].totals.max_temperature);
         return json;
       }
 
@@ -250,9 +253,9 @@ namespace Tribody
                               bushing != nullptr ? bushing->clearance
                                                  : joint.clearance(),
                               results.state.dynamics.contact_losses[j]);
-        if (bushing != nullptr)
-          json["rating"] = rating_to_json(rate(
-            cycle, cycles.period, parameters.bushings[bushing->number], joint));
+        if (const BushingParameters *rated = parameters.bushing(cycle.name))
+          json["rating"] =
+            rating_to_json(rate(cycle, cycles.period, *rated, joint));
         if (cycle.has_contact_law)
           json["contact_law"] = contact_law_to_json(joint);
         if (cycle.creep_distance > 0.)
@@ -496,6 +499,8 @@ namespace Tribody
                      {"worn_volume_relative", results.volume_relative_error()},
                      {"covers", covered_errors(results)},
                      {"mesh", mesh_errors_to_json(results)}}}};
+      if (state.counts.temperature_rounds > 0)
+        json["counts"]["temperature_rounds"] = state.counts.temperature_rounds;
       add_load_cases_to_json(json, parameters, results);
 
       // Text from the parameter file may be in any encoding.

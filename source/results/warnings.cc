@@ -83,10 +83,7 @@ namespace Tribody
                     std::vector<Warning> &warnings)
       {
         const auto shown = [&](const double number) {
-          return Units::to_string(
-            std::strtod(significant_digits(number, 4).c_str(), nullptr),
-            si_unit,
-            shown_unit);
+          return Units::to_string(number, si_unit, shown_unit, 4);
         };
         if (limit > 0. && value > limit)
           warnings.push_back(
@@ -119,13 +116,14 @@ namespace Tribody
             warn_of_limit(bushing.name,
                           "temperature_limit",
                           "the largest temperature of the bore",
-                          warmth.max_temperature,
+                          state.joints[bushing.number].totals.max_temperature,
                           material.limits.temperature,
                           "K",
                           "degC",
                           warnings);
             // What is left out must be worn off, or fit the clearance.
-            if (warmth.out_of_round > bushing.clearance - warmth.closing)
+            if (warmth.out_of_round >
+                std::max(0., bushing.clearance - warmth.closing))
               warnings.push_back(
                 {"out_of_round",
                  bushing.name,
@@ -169,15 +167,16 @@ namespace Tribody
       void
       warn_of_rating(const CaseParameters            &parameters,
                      const BushingParameters         &bushing,
-                     const LoadCase                  &load_case,
+                     const std::string               &load_case,
+                     const double                     period,
                      const Multibody::JointDutyCycle &loads,
                      std::vector<Warning>            &warnings)
       {
         const Multibody::JointParameters &joint =
           parameters.joint(bushing.name);
         const MaterialLimits &limits = joint.bushing_material.limits;
-        const Rating rating     = rate(loads, load_case.period, bushing, joint);
-        const std::string where = in_load_case(load_case.name);
+        const Rating          rating = rate(loads, period, bushing, joint);
+        const std::string     where  = in_load_case(load_case);
         warn_of_limit(bushing.name,
                       "pressure_limit",
                       where + "the largest projected pressure",
@@ -272,17 +271,17 @@ namespace Tribody
             warn_of_creep(state.duty_cycles[i].joints[j],
                           parameters.load_cases[i].name,
                           warnings);
-          if (const BushingResults *bushing =
-                results.bushing(state.duty_cycles.front().joints[j].name))
-            {
-              warn_of_bushing(parameters, *bushing, results, warnings);
-              for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
-                warn_of_rating(parameters,
-                               parameters.bushings[bushing->number],
-                               parameters.load_cases[i],
-                               state.duty_cycles[i].joints[j],
-                               warnings);
-            }
+          const std::string &name = state.duty_cycles.front().joints[j].name;
+          if (const BushingResults *bushing = results.bushing(name))
+            warn_of_bushing(parameters, *bushing, results, warnings);
+          if (const BushingParameters *bushing = parameters.bushing(name))
+            for (std::size_t i = 0; i < state.duty_cycles.size(); ++i)
+              warn_of_rating(parameters,
+                             *bushing,
+                             parameters.load_cases[i].name,
+                             state.duty_cycles[i].period,
+                             state.duty_cycles[i].joints[j],
+                             warnings);
         }
       warn_of_motion(parameters, state, warnings);
       if (state.unstable_step_reported)

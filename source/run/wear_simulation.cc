@@ -397,17 +397,17 @@ namespace Tribody
       }
       if (coarse_run != nullptr)
         on_coarse_meshes([this]() { coarse_run->follow(process); });
-      if (is_over() || process.duty_cycle_is_outdated() ||
-          deviation_limits.are_set())
-        {
-          kept_since = state().cycles_at_dynamics;
-          run_dynamics(state().shares);
-        }
+      const double renewed_before = state().cycles_at_dynamics;
       if (has_warm_joints())
         {
           solve_contacts();
           settle_temperatures();
         }
+      if (is_over() || process.duty_cycle_is_outdated() ||
+          deviation_limits.are_set())
+        run_dynamics(state().shares);
+      if (state().cycles_at_dynamics != renewed_before)
+        kept_since = renewed_before;
       {
         dealii::TimerOutput::Scope scope(timer, "contact");
         process.complete_step(kept_since);

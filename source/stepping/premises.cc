@@ -137,26 +137,22 @@ namespace Tribody
 
 
     void
-    check_warm_clearance(const WearingBushing &bushing)
+    check_warmth(const WearingBushing &bushing, const Warmth &warmth)
     {
-      const Warmth        &warmth    = bushing.warmth();
-      const JointClearance clearance = bushing.clearance();
-      double               narrowest = std::numeric_limits<double>::max();
+      bushing.warm_bushing()->modulus_factor(warmth);
+      bushing.warm_bushing()->friction_factor(warmth);
+
+      const PeriodicProfile cold      = bushing.clearance_profile();
+      double                narrowest = std::numeric_limits<double>::max();
       for (const double angle : bushing.node_angles())
         narrowest =
           std::min(narrowest,
-                   clearance.bushing.value(angle) +
-                     clearance.bushing.value(angle + dealii::numbers::PI));
+                   cold.value(angle) + cold.value(angle + dealii::numbers::PI));
+      narrowest -= 2. * warmth.closing;
       if (const WearingPin *pin = bushing.wearing_pin())
         narrowest += 2. * pin->profile().depth.minCoeff();
-      const auto shown = [](const double length) {
-        return Units::to_string(
-          std::strtod(significant_digits(length, 4).c_str(), nullptr),
-          "m",
-          "mm");
-      };
       const auto celsius = [](const double temperature) {
-        return significant_digits(temperature - 273.15, 4) + " degC";
+        return Units::to_string(temperature, "K", "degC", 4);
       };
       AssertThrow(
         narrowest > 0.,
@@ -165,8 +161,10 @@ namespace Tribody
                celsius(warmth.contact_temperature) + " in the contact and " +
                celsius(warmth.mean_temperature) +
                " in the bushing, pin and bore have come nearer by " +
-               shown(warmth.closing) + ", of a clearance of " +
-               shown(bushing.joint_parameters().clearance()) +
+               Units::to_string(warmth.closing, "m", "mm", 4) +
+               ", of a clearance of " +
+               Units::to_string(
+                 bushing.joint_parameters().clearance(), "m", "mm", 4) +
                " at the 'Reference temperature'. It takes more clearance, "
                "less friction, load or speed, a better path for the heat, or a "
                "material that expands less"));

@@ -3,6 +3,7 @@
 #include <tribody/base/exceptions.h>
 #include <tribody/base/inverted_mesh.h>
 #include <tribody/base/significant_digits.h>
+#include <tribody/base/units.h>
 #include <tribody/stepping/combined_loads.h>
 #include <tribody/stepping/make_jump.h>
 #include <tribody/stepping/wear_process.h>
@@ -216,7 +217,8 @@ namespace Tribody
             }
           is_outdated =
             is_outdated ||
-            change > dynamics_update * bushing.largest_clearance(joint.depth);
+            change > dynamics_update * (bushing.largest_clearance(joint.depth) -
+                                        joint.warmth.closing);
         }
       return is_outdated;
     }
@@ -229,6 +231,9 @@ namespace Tribody
       // A round makes the difference several times smaller where friction
       // depends on the temperature as it usually does.
       constexpr unsigned int max_rounds = 50;
+      // What lies in the way every time is no matter of the steps.
+      constexpr unsigned int max_obstructed_rounds = 10;
+      unsigned int           n_obstructed          = 0;
       if (std::none_of(joint_bushings.begin(),
                        joint_bushings.end(),
                        [](const WearingBushing &bushing) {
@@ -237,8 +242,12 @@ namespace Tribody
         return;
       for (unsigned int round = 0; round < max_rounds; ++round)
         {
-          if (update_warmth())
+          const WarmthRound result = update_warmth();
+          if (result.have_settled)
             return;
+          n_obstructed = result.obstacle.empty() ? 0 : n_obstructed + 1;
+          AssertThrow(n_obstructed < max_obstructed_rounds,
+                      ExcRun(result.obstacle));
           ++run_state.counts.temperature_rounds;
           if (duty_cycle_is_outdated())
             renew_motion();
@@ -253,21 +262,22 @@ namespace Tribody
             ": its temperature comes to no end. After " +
             std::to_string(max_rounds) +
             " rounds of motion, contact and temperature it is " +
-            significant_digits(warmth.contact_temperature - 273.15, 4) +
-            " degC in the contact and has changed by " +
+            Units::to_string(warmth.contact_temperature, "K", "degC", 4) +
+            " in the contact, and still " +
             significant_digits(warmth.residual, 2) +
-            " K: friction that rises with the temperature may heat the joint "
+            " K off: friction that rises with the temperature may heat the "
+            "joint "
             "without bound. Look at the 'Friction factor', or allow a larger "
             "'Temperature tolerance'");
     }
 
 
 
-    bool
+    WearProcess::WarmthRound
     WearProcess::update_warmth()
     {
-      bool   have_settled = true;
-      double time = 0., temperature_over_time = 0.;
+      WarmthRound round;
+      double      time = 0., temperature_over_time = 0.;
       for (std::size_t i = 0; i < factors.size(); ++i)
         {
           const double of_case =
@@ -278,28 +288,68 @@ namespace Tribody
       for (std::size_t j = 0; j < joint_bushings.size(); ++j)
         if (const WarmBushing *heat = joint_bushings[j].warm_bushing())
           {
-            WearingBushing &bushing = joint_bushings[j];
-            JointState     &joint   = run_state.joints[j];
-            const Warmth    corrected =
-              correct(joint.warmth,
-                      heat->compute(joint.contact.force_over_sliding,
-                                    frictional_power(j),
-                                    temperature_over_time / time));
+            JointState &joint    = run_state.joints[j];
+            const auto  at_power = [&](const double power) {
+              return heat->compute(joint.contact.force_over_sliding,
+                                   power,
+                                   temperature_over_time / time);
+            };
+            if (!joint.warmth.is_known())
+              joint.warmth = at_power(0.);
+            const Warmth found     = at_power(frictional_power(j));
+            const Warmth corrected = correct(joint.warmth, found);
             if (corrected.residual <= heat->tolerance())
               {
-                joint.warmth.residual         = corrected.residual;
-                joint.warmth.contact_residual = corrected.contact_residual;
+                joint.warmth.power               = found.power;
+                joint.warmth.shaft_power         = found.shaft_power;
+                joint.warmth.ambient_temperature = found.ambient_temperature;
+                joint.warmth.residual            = corrected.residual;
+                // The next round is under other loads or on another shape.
+                joint.warmth.contact_residual = 0.;
+                joint.warmth.relaxation       = 1.;
+                joint.totals.max_temperature =
+                  std::max(joint.totals.max_temperature, found.max_temperature);
                 continue;
               }
-            have_settled = false;
-            joint.warmth = corrected;
-            bushing.set_warmth(corrected);
-            check_warm_clearance(bushing);
-            if (bushing.depth_at_compliance() != joint.depth_at_compliance)
-              ++run_state.counts.compliance_builds;
-            joint.depth_at_compliance = bushing.depth_at_compliance();
+            round.have_settled = false;
+            if (const std::string obstacle = become_warm(j, corrected);
+                !obstacle.empty())
+              round.obstacle = obstacle;
           }
-      return have_settled;
+      return round;
+    }
+
+
+
+    std::string
+    WearProcess::become_warm(const std::size_t j, Warmth warmth)
+    {
+      // A step may pass what the temperature that it is on its way to does
+      // not.
+      constexpr unsigned int max_halvings = 8;
+      WearingBushing        &bushing      = joint_bushings[j];
+      JointState            &joint        = run_state.joints[j];
+      std::string            obstacle;
+      for (unsigned int n = 0;; ++n)
+        try
+          {
+            check_warmth(bushing, warmth);
+            break;
+          }
+        catch (const ExcRun &exception)
+          {
+            if (n == max_halvings)
+              throw;
+            obstacle = message_of(exception);
+            warmth   = halfway(joint.warmth, warmth);
+          }
+      const WarmBushing &heat = *bushing.warm_bushing();
+      if (heat.modulus_factor(warmth) != heat.modulus_factor(joint.warmth))
+        ++run_state.counts.compliance_builds;
+      joint.warmth = warmth;
+      bushing.set_warmth(warmth);
+      joint.depth_at_compliance = bushing.depth_at_compliance();
+      return obstacle;
     }
 
 

@@ -164,20 +164,27 @@ namespace Tribody
         ExcParameter(path + "/Reference temperature",
                      Units::to_string(reference_temperature, "K", "degC") +
                        " is below absolute zero"));
-      AssertThrow(tolerance > 0.,
+      // Also of "0.1 degC", which is 273.25 K.
+      constexpr double largest_tolerance = 5.;
+      AssertThrow(tolerance > 0. && tolerance <= largest_tolerance,
                   ExcParameter(path + "/Temperature tolerance",
                                Units::to_string(tolerance, "K", "K") +
-                                 " must be positive"));
+                                 " is not above 0 K and at most 5 K; it is a "
+                                 "difference, '0.1 K'"));
       // They name the parameter if it cannot be understood.
       const TemperatureFactor modulus(path + "/Modulus factor", modulus_factor);
       const TemperatureFactor friction(path + "/Friction factor",
                                        friction_factor);
       if (!is_on())
         {
-          AssertThrow(modulus.is_one() && friction.is_one(),
+          AssertThrow(modulus.is_one() && friction.is_one() &&
+                        rim == RimCooling::ambient &&
+                        heat_transfer_coefficient == 0. &&
+                        thermal_resistance == 0. && shaft_conductance == 0.,
                       ExcParameter(path + "/Temperature",
-                                   "is 'none', but a 'Modulus factor' or "
-                                   "'Friction factor' asks for it; write "
+                                   "is 'none', but other entries of the "
+                                   "subsection say how the joint is cooled or "
+                                   "what depends on the temperature; write "
                                    "'set Temperature = steady'"));
           return;
         }

@@ -47,6 +47,7 @@ TABLE = {
         "Order of load cases": "word",
         "Stop at time": "s",
         "Operating share": "1",
+        "Ambient temperature": "K",
     },
     "Load case": {
         "Cycles": "1",
@@ -54,6 +55,7 @@ TABLE = {
         "Share": "1",
         "Wear coefficient factor": "1",
         "Gravity": "point m s-2",
+        "Ambient temperature": "K",
     },
     "Ground": {"Markers": "markers"},
     "Body": {
@@ -159,6 +161,12 @@ TABLE = {
         "Young's modulus": "kg m-1 s-2",
         "Poisson's ratio": "1",
         "Density": "kg m-3",
+        "Thermal conductivity": "kg m s-3 K-1",
+        "Thermal expansion": "K-1",
+        "Maximum pressure": "kg m-1 s-2",
+        "Maximum speed": "m s-1",
+        "Maximum pv": "kg s-3",
+        "Maximum temperature": "K",
     },
     "Bushing": {
         "Duty cycle file": "text",
@@ -194,6 +202,17 @@ TABLE = {
         "Housing gap": "m",
     },
     "Watched marker": {"Stop at deviation": "m"},
+    "Bushing/Heat": {
+        "Temperature": "word",
+        "Rim": "word",
+        "Heat transfer coefficient": "kg s-3 K-1",
+        "Thermal resistance": "kg-1 m-2 s3 K",
+        "Shaft conductance": "kg m2 s-3 K-1",
+        "Reference temperature": "K",
+        "Modulus factor": "expression",
+        "Friction factor": "expression",
+        "Temperature tolerance": "K",
+    },
     "Bushing/Mesh": {
         "Bore cells": "integer",
         "Radial cells": "integer",

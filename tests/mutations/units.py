@@ -37,6 +37,7 @@ UNITS = {
         ("s sec second seconds", 1, "s", True),
         ("rad radian", 1, "rad", True),
         ("K kelvin", 1, "K", True),
+        ("degC", 1, "K", False),
         ("A ampere", 1, "A", True),
         ("N newton newtons", 1, "kg m s-2", True),
         ("Pa pascal", 1, "kg m-1 s-2", True),

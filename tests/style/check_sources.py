@@ -4,7 +4,7 @@
 
   - MPI_COMM_WORLD in source/main.cc only: a communicator is an argument;
   - source/main.cc has at most 60 lines;
-  - no notes on unfinished work in include/ and source/;
+  - no notes on unfinished work and no control characters in include/ and source/;
   - lines of .prm files have at most 100 characters;
   - no absolute paths to somebody's own directories, in any file.
 
@@ -20,6 +20,7 @@ from offences import Offences, find_files, read_lines
 
 # In two parts, so that this file passes its own check.
 UNFINISHED = re.compile(r"\b(TO" + r"DO|FIX" + r"ME|XX" + r"X|HA" + r"CK)\b")
+CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]")
 OWN_PATH = re.compile(r"(?<![\w.\-/})\]])/(?:home|Users|root|work|mnt|media)/[\w.]+")
 COMMENT_OR_STRING = re.compile(
     r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL
@@ -52,6 +53,17 @@ def check_cpp(root, path, offences):
         if match:
             offences.add(
                 path, number, f"{match.group()}: finish it, or write it into an issue"
+            )
+
+
+def check_characters(path, offences):
+    for number, line in enumerate(read_lines(path), 1):
+        match = CONTROL.search(line)
+        if match:
+            offences.add(
+                path,
+                number,
+                f"a control character, {match.group()!r}; was it to be '\\a', '\\v' or so?",
             )
 
 
@@ -107,6 +119,7 @@ def main(root):
     offences = Offences(root)
     for path in find_files(root, ("include", "source"), (".h", ".cc")):
         check_cpp(root, path, offences)
+        check_characters(path, offences)
     files = project_files(root)
     for path in files:
         if path.endswith(".prm"):

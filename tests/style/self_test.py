@@ -72,6 +72,7 @@ OFFENCES = [
     ("sources", "source/wear/w.cc", "int i;\nint c = MPI_COMM_WORLD;\n", 2),
     ("sources", "source/wear/w.cc", "int i;\n" + NOTE, 2),
     ("sources", "source/main.cc", "\n" * 61, 61),
+    ("sources", "source/wear/w.cc", "int i;\n// \alpha\n", 2),
     ("sources", "prm/a.prm", "set A = 1\nset B = " + "1" * 100 + "\n", 2),
     ("sources", "prm/a.prm", f"set File = {OWN}\n", 1),
     ("documents", "README.md", "\n" * 151, 151),

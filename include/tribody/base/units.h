@@ -46,6 +46,13 @@ namespace Tribody
               const std::string &si_unit,
               const std::string &shown_unit);
 
+    /// The same with @p n_digits significant digits, for messages.
+    std::string
+    to_string(const double       value,
+              const std::string &si_unit,
+              const std::string &shown_unit,
+              const int          n_digits);
+
     /// @p radians in degrees.
     constexpr double
     degrees(const double radians)

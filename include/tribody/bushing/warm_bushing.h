@@ -11,6 +11,8 @@
 #include <tribody/thermal/heat_conduction.h>
 #include <tribody/thermal/heat_parameters.h>
 
+#include <mpi.h>
+
 namespace Tribody
 {
   namespace Coupling
@@ -40,10 +42,11 @@ namespace Tribody
       /// The difference between where the bore has moved most and least [m]:
       /// what an uneven heat does to its roundness, which is left out.
       double out_of_round = 0.;
-      /// By how much the temperatures that belong to motion and contact at
-      /// these differ from them [K]: the largest.
+      /// How far they are from temperatures that belong to motion and contact
+      /// and these to them, estimated [K]: the largest.
       double residual = 0.;
-      /// Likewise that of the contact_temperature, with its sign.
+      /// By how much the contact_temperature that motion and contact make was
+      /// another one, with its sign [K]; 0 before the first round.
       double contact_residual = 0.;
       /// Part of the difference by which they were corrected [-], see
       /// correct().
@@ -68,6 +71,10 @@ namespace Tribody
     Warmth
     correct(const Warmth &warmth, const Warmth &found);
 
+    /// Half of that step, from @p warmth to @p corrected.
+    Warmth
+    halfway(const Warmth &warmth, const Warmth &corrected);
+
     /**
      * What friction does to the temperature of a bushing and its pin, and that
      * to their clearance. The heat Q leaves through bushing and shaft,
@@ -84,9 +91,12 @@ namespace Tribody
     {
     public:
       /// @param elastic must outlive this object.
+      /// @param communicator of ranks that hold the same bushing: all of them
+      ///   must compute() together, and get the same.
       WarmBushing(const BushingParameters          &parameters,
                   const Multibody::JointParameters &joint,
-                  const ElasticJoint               &elastic);
+                  const ElasticJoint               &elastic,
+                  const MPI_Comm &communicator = MPI_COMM_SELF);
 
       /// Of the bushing as it is worn now, from now on.
       void
@@ -135,6 +145,7 @@ namespace Tribody
       void
       set_closing(Warmth &warmth, const Thermal::TemperatureRise &rise) const;
 
+      MPI_Comm                   communicator;
       Thermal::HeatParameters    heat;
       Material                   bushing_material;
       double                     axial_length;

@@ -274,8 +274,8 @@ namespace Tribody
       pin_wear_profile() const;
 
       /// The worn, warm surfaces as the dynamics takes them. A ring without
-      /// inertia in a housing follows the pin until it touches that: the pin has
-      /// the gap of the housing more to go, in all directions.
+      /// inertia in a housing follows the pin until it touches that: the pin
+      /// has the gap of the housing more to go, in all directions.
       JointClearance
       clearance() const;
 

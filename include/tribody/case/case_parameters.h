@@ -77,6 +77,10 @@ namespace Tribody
       const Multibody::JointParameters &
       joint(const std::string &name) const;
 
+      /// The bushing of the joint @p name, or nullptr.
+      const BushingParameters *
+      bushing(const std::string &name) const;
+
       /// Whether the loads of bushings come from files, so that there is no
       /// mechanism.
       bool

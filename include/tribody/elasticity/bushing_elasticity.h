@@ -121,7 +121,8 @@ namespace Tribody
       /**
        * The displacement of every bore node along its normal if the bushing
        * gets warmer, as the rim lets it [m].
-       * @param mapping that of the last reinit().
+       * @param mapping that of the last reinit(), or one as near to it as the
+       *   stiffness may lag.
        * @param temperatures on the same mesh, which is serial.
        * @param rise over the temperature at which the bushing has its shape,
        *   over these degrees of freedom [K].

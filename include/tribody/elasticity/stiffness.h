@@ -44,11 +44,10 @@ namespace Tribody
                        dealii::TrilinosWrappers::SparseMatrix  &matrix);
 
     /**
-     * The forces of a thermal strain @f$lphaartheta I@f$ that is held
+     * The forces of a thermal strain @f$\alpha\vartheta I@f$ that is held
      * back (Duhamel and Neumann),
-     * @f[ f_i = \int 2(\lambda+\mu)(1 + a)\,lpha\,artheta\,
-     *
-abla\cdotarphi_i\,dx @f]
+     * @f[ f_i = \int 2(\lambda+\mu)(1 + a)\,\alpha\,\vartheta\,
+     *           \nabla\cdot\varphi_i\,dx @f]
      * with the axial ratio a of PlaneHooke: the axial strain is held back, too,
      * in plane strain. In each cell the temperature counts with its projection
      * on the polynomials of one degree less, so that an incompressible
@@ -57,7 +56,7 @@ abla\cdotarphi_i\,dx @f]
      * @param dof_handler of the displacement, on a serial mesh.
      * @param constraints as in assemble_stiffness(); they are homogeneous.
      * @param temperatures of a scalar element on the same mesh.
-     * @param rise over the stress-free temperature, @f$artheta@f$ [K].
+     * @param rise over the stress-free temperature, @f$\vartheta@f$ [K].
      * @param expansion alpha [1/K].
      * @return f [N/m], zero where the displacement is constrained.
      */

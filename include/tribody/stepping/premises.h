@@ -70,9 +70,10 @@ namespace Tribody
                       const Eigen::VectorXd           &time);
 
     /// The pin fits its bore, as warm as both are: nowhere is the bore narrower
-    /// than the pin. @throws ExcRun that has temperatures and clearance.
+    /// than the pin; and what depends on the temperature has a value.
+    /// @throws ExcRun that has temperatures and clearance.
     void
-    check_warm_clearance(const WearingBushing &bushing);
+    check_warmth(const WearingBushing &bushing, const Warmth &warmth);
   } // namespace Coupling
 } // namespace Tribody
 

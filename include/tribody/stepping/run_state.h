@@ -105,6 +105,8 @@ namespace Tribody
       DutyErrors duty_errors;
       /// The largest that have been seen.
       Strains strains;
+      /// Likewise of the bore [K].
+      double max_temperature = 0.;
     };
 
     /// All that a run has done to one joint that wears. Depths have one value

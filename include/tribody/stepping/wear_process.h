@@ -185,10 +185,23 @@ namespace Tribody
       Multibody::BearingLoads
       make_loads(const Multibody::DutyCycle &cycle, const std::size_t j) const;
 
-      // A round of settle_warmth(). Joints whose temperature is off by more
-      // than their tolerance get another one; returns whether there was none.
-      bool
+      // Of settle_warmth().
+      struct WarmthRound
+      {
+        // Whether no joint was off by more than its tolerance.
+        bool have_settled = true;
+        // Why a joint has not become as warm as it should; or empty.
+        std::string obstacle;
+      };
+
+      // Joints whose temperature is off get another one.
+      WarmthRound
       update_warmth();
+
+      // Be as warm, or on the way there as far as the premises allow; returns
+      // which did not.
+      std::string
+      become_warm(const std::size_t j, Warmth warmth);
 
       // Of friction in the joint, mean over the time of all load cases [W]: the
       // integral of mu p v over the bore.
