@@ -405,6 +405,11 @@ namespace Tribody
                                    "is 'steady', but 'Joint " + name +
                                      "/Friction law' is 'none': without "
                                      "friction there is no heat"));
+          AssertThrow(joint.friction_coefficient > 0.,
+                      ExcParameter(path + "/Heat/Temperature",
+                                   "is 'steady', but 'Joint " + name +
+                                     "/Friction coefficient' is 0: without "
+                                     "friction there is no heat"));
           AssertThrow(!shares_mesh(),
                       ExcParameter(path + "/Heat/Temperature",
                                    "'steady' needs 'Stiffness solver = "

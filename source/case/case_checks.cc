@@ -229,6 +229,14 @@ namespace Tribody
             require("Bushing " + bushing.name, {"Outer radius"});
           if (bushing.heat.is_on() && parameters.has_given_loads())
             require("Joint " + bushing.name, {"Friction coefficient"});
+          // Whoever says how a joint is cooled says whether it gets warm.
+          const std::string heat = "Bushing " + bushing.name + "/Heat";
+          if (!file.paths_in(heat).empty())
+            AssertThrow(file.is_set(heat + "/Temperature"),
+                        ExcParameter(heat + "/Temperature",
+                                     "is not set, though other entries of the "
+                                     "subsection are; write 'set Temperature = "
+                                     "steady', or 'none' for a cold joint"));
         }
     }
 
@@ -271,12 +279,13 @@ namespace Tribody
       for (const BushingParameters &bushing : parameters.bushings)
         {
           bushing.check(parameters.joint(bushing.name));
-          AssertThrow(parameters.cycles > 0 || !bushing.heat.is_on(),
-                      ExcParameter("Bushing " + bushing.name +
-                                     "/Heat/Temperature",
-                                   "'steady' needs the contacts of a run with "
-                                   "wear, but 'Cycles' is 0; set 1 cycle, or "
-                                   "'none' for the motion of the cold joint"));
+          AssertThrow(
+            parameters.cycles > 0 || !bushing.heat.is_on(),
+            ExcParameter("Bushing " + bushing.name + "/Heat/Temperature",
+                         "'steady' needs the contacts of a run with "
+                         "wear, but 'Cycles' is 0; set cycles (those of "
+                         "load cases in sequence are in these), or "
+                         "'none' for the motion of the cold joint"));
         }
 
       AssertThrow(parameters.cycles == 0 || !parameters.bushings.empty(),

@@ -35,7 +35,7 @@ namespace Tribody
                                limits.temperature,
                                "K",
                                "Likewise of the bore, where 'Heat/Temperature' "
-                               "computes it; 0 K: none.");
+                               "computes it, as '90 degC'; 0 K: none.");
     }
   } // namespace
 
@@ -114,6 +114,9 @@ namespace Tribody
     check_not_negative("Maximum pressure", limits.pressure, "Pa", "MPa");
     check_not_negative("Maximum speed", limits.speed, "m/s", "m/s");
     check_not_negative("Maximum pv", limits.pv, "Pa m/s", "MPa m/s");
-    check_not_negative("Maximum temperature", limits.temperature, "K", "K");
+    AssertThrow(limits.temperature >= 0.,
+                ExcParameter(path + "Maximum temperature",
+                             Units::to_string(limits.temperature, "K", "degC") +
+                               " is below absolute zero"));
   }
 } // namespace Tribody

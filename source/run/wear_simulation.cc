@@ -464,7 +464,9 @@ namespace Tribody
     std::unique_ptr<CoarseRun>
     WearSimulation::make_coarse_run() const
     {
-      return std::make_unique<CoarseRun>(parameters.wear, process);
+      return std::make_unique<CoarseRun>(parameters.wear,
+                                         process,
+                                         communicator);
     }
 
 

@@ -13,7 +13,8 @@ namespace Tribody
     {
       std::deque<WearingBushing>
       make_coarse_bushings(const WearParameters             &parameters,
-                           const std::deque<WearingBushing> &bushings)
+                           const std::deque<WearingBushing> &bushings,
+                           const MPI_Comm                   &communicator)
       {
         std::deque<WearingBushing> coarse;
         for (const WearingBushing &bushing : bushings)
@@ -24,7 +25,8 @@ namespace Tribody
               coarse_parameters->limits = {};
               coarse.emplace_back(*coarse_parameters,
                                   bushing.joint_parameters(),
-                                  parameters.compliance_update);
+                                  parameters.compliance_update,
+                                  communicator);
             }
         return coarse;
       }
@@ -41,11 +43,12 @@ namespace Tribody
 
 
     CoarseRun::CoarseRun(const WearParameters &parameters,
-                         const WearProcess    &run)
+                         const WearProcess    &run,
+                         const MPI_Comm       &communicator)
       : follows_whole_run(parameters.mesh_error_estimate ==
                           MeshErrorEstimate::whole_run)
       , twin(parameters,
-             make_coarse_bushings(parameters, run.bushings()),
+             make_coarse_bushings(parameters, run.bushings(), communicator),
              run.wear_factors(),
              run.ambient_temperatures())
       , errors(run.bushings().size())

@@ -123,7 +123,7 @@ namespace Tribody
       // as much, which is part of the estimated error.
       constexpr double merging_tolerance = 2e-4;
       // Of the wear where it is deepest; likewise.
-      constexpr double thinning_tolerance = 1e-4;
+      constexpr double thinning_tolerance = 5e-4;
 
       const unsigned int            n_cycles = cycle.settling.n_averaged_cycles;
       const CycleContact           &contact  = run_state.joints[j].contact;
@@ -265,10 +265,10 @@ namespace Tribody
             Units::to_string(warmth.contact_temperature, "K", "degC", 4) +
             " in the contact, and still " +
             significant_digits(warmth.residual, 2) +
-            " K off: friction that rises with the temperature may heat the "
-            "joint "
-            "without bound. Look at the 'Friction factor', or allow a larger "
-            "'Temperature tolerance'");
+            " K off: friction that rises with the temperature, or a clearance "
+            "that is nearly gone, may let it. Look at the 'Friction factor' "
+            "and at the clearance, or allow a larger 'Temperature "
+            "tolerance'");
     }
 
 
@@ -308,7 +308,9 @@ namespace Tribody
                 joint.warmth.contact_residual = 0.;
                 joint.warmth.relaxation       = 1.;
                 joint.totals.max_temperature =
-                  std::max(joint.totals.max_temperature, found.max_temperature);
+                  std::max({joint.totals.max_temperature,
+                            joint.warmth.max_temperature,
+                            found.max_temperature});
                 continue;
               }
             round.have_settled = false;
@@ -369,15 +371,7 @@ namespace Tribody
                                       of_joint.sliding_increment);
             time += run_state.shares[i] * cycle.period;
           }
-      // Pressures that point to both sides do not add up to the force, but all
-      // of them rub.
-      const JointState &joint = run_state.joints[j];
-      const double      of_forces =
-        joint.loads.normal_force.dot(joint.loads.sliding_increment);
-      const double of_pressures =
-        joint.contact.force_over_sliding.sum() *
-        joint_bushings[j].bushing_parameters().axial_length;
-      return of_forces > 0. ? work / time * of_pressures / of_forces : 0.;
+      return work / time;
     }
 
 

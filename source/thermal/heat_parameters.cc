@@ -172,22 +172,10 @@ namespace Tribody
                                  " is not above 0 K and at most 5 K; it is a "
                                  "difference, '0.1 K'"));
       // They name the parameter if it cannot be understood.
-      const TemperatureFactor modulus(path + "/Modulus factor", modulus_factor);
-      const TemperatureFactor friction(path + "/Friction factor",
-                                       friction_factor);
+      TemperatureFactor(path + "/Modulus factor", modulus_factor);
+      TemperatureFactor(path + "/Friction factor", friction_factor);
       if (!is_on())
-        {
-          AssertThrow(modulus.is_one() && friction.is_one() &&
-                        rim == RimCooling::ambient &&
-                        heat_transfer_coefficient == 0. &&
-                        thermal_resistance == 0. && shaft_conductance == 0.,
-                      ExcParameter(path + "/Temperature",
-                                   "is 'none', but other entries of the "
-                                   "subsection say how the joint is cooled or "
-                                   "what depends on the temperature; write "
-                                   "'set Temperature = steady'"));
-          return;
-        }
+        return;
       check_rim(path, *this);
       AssertThrow(bushing.thermal_conductivity > 0.,
                   ExcParameter("Material " + bushing.name +

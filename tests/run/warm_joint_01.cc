@@ -4,9 +4,8 @@
 // a round ring, what is not spread evenly around the bore has no part in means
 // around it, so that these have closed forms wherever the contact is, as long
 // as little is worn:
-// - power mu F_N v with F = F_N sqrt(1 + mu^2), times what the pressures add up
-//   to over the force, as for the worn volume, which is k F s times that (0.5
-//   %: the volume has its mean over the run, in which the contact grows);
+// - power mu F_N v with F = F_N sqrt(1 + mu^2) (1e-3: friction is smooth at
+//   rest);
 // - with its rim at ambient temperature the ring is warmer in the mean by
 //   Q/(2 pi lambda L) (1/2 - a^2/(b^2 - a^2) ln(b/a)) (the mesh: 1e-4);
 // - pin and bore come nearer by the expansion of a ring in a rigid housing
@@ -134,16 +133,6 @@ namespace
 
 
 
-  // Sum of pressures over the force, between 1 and 4/pi.
-  double
-  spread(const Coupling::RunResults &results)
-  {
-    const Coupling::SurfaceResults &bore = results.bushings[0].bushing;
-    return bore.worn_volume / bore.archard_volume;
-  }
-
-
-
   double
   relative(const double value, const double known)
   {
@@ -172,10 +161,10 @@ namespace
           "subsection Material PTFE\n  set Thermal expansion = 1.3e-4 K^-1\n"
           "end\nsubsection Material steel\n"
           "  set Thermal expansion = 1.2e-5 K^-1\nend\n");
-    const Coupling::Warmth &warm = warmth(results);
-    const double known           = 0.1 * normal_force * speed * spread(results);
-    out() << "power " << known << " W: right to 0.5 % "
-          << (relative(warm.power, known) < 5e-3) << std::endl;
+    const Coupling::Warmth &warm  = warmth(results);
+    const double            known = 0.1 * normal_force * speed;
+    out() << "power " << known << " W: right to 0.1 % "
+          << (relative(warm.power, known) < 1e-3) << std::endl;
     out() << "mean rise " << mean_rise(warm.power) << " K: right to 0.1 % "
           << (relative(warm.mean_temperature - ambient, mean_rise(warm.power)) <
               1e-3)
@@ -202,10 +191,11 @@ namespace
   test_shaft()
   {
     const Coupling::Warmth warm =
-      warmth(run("    set Shaft conductance = 0.01 W/K\n"));
+      warmth(run("    set Shaft conductance = 0.01 W/K\n"
+                 "    set Temperature tolerance = 1e-3 K\n"));
     out() << "shaft: takes what it should "
           << (relative(warm.shaft_power,
-                       0.01 * (warm.contact_temperature - ambient)) < 1e-9)
+                       0.01 * (warm.contact_temperature - ambient)) < 1e-4)
           << ", and the ring the rest "
           << (relative(warm.mean_temperature - ambient,
                        mean_rise(warm.power - warm.shaft_power)) < 1e-3)
@@ -236,10 +226,9 @@ namespace
       run("    set Friction factor = 1 - 0.01*(T - 293.15)\n");
     const Coupling::Warmth &warm = warmth(results);
     const double mu = 0.1 * (1. - 0.01 * (warm.contact_temperature - ambient));
-    const double known =
-      mu * 120. / std::sqrt(1. + mu * mu) * speed * spread(results);
-    out() << "friction factor: right to 1.5 % "
-          << (relative(warm.power, known) < 0.015) << ", and far from cold "
+    const double known = mu * 120. / std::sqrt(1. + mu * mu) * speed;
+    out() << "friction factor: right to 1 % "
+          << (relative(warm.power, known) < 0.01) << ", and far from cold "
           << (warm.power < 0.9 * 0.1 * normal_force * speed) << std::endl;
   }
 
@@ -332,8 +321,8 @@ namespace
                                     "warm_joint_01.csv\nend\n",
                                     "loaded_bushing.prm"))
                            .power;
-    out() << "given loads: power as of the motion to 0.5 % "
-          << (relative(given, moved) < 5e-3) << std::endl;
+    out() << "given loads: power as of the motion to 0.1 % "
+          << (relative(given, moved) < 1e-3) << std::endl;
   }
 
 

@@ -8,6 +8,7 @@
 #include <tribody/stepping/wear_process.h>
 
 #include <deque>
+#include <mpi.h>
 #include <vector>
 
 namespace Tribody
@@ -26,7 +27,11 @@ namespace Tribody
     {
     public:
       /// @param run whose bushings have twins, where they have a coarser mesh.
-      CoarseRun(const WearParameters &parameters, const WearProcess &run);
+      /// @param communicator of the ranks of the run, which share samples here
+      ///   as there.
+      CoarseRun(const WearParameters &parameters,
+                const WearProcess    &run,
+                const MPI_Comm       &communicator = MPI_COMM_SELF);
 
       /// Go on from the twin of the state of a run, with the errors seen so
       /// far.

@@ -203,8 +203,8 @@ namespace Tribody
       std::string
       become_warm(const std::size_t j, Warmth warmth);
 
-      // Of friction in the joint, mean over the time of all load cases [W]: the
-      // integral of mu p v over the bore.
+      // Of friction in the joint, mean over the time of all load cases: its
+      // work in the motion [W].
       double
       frictional_power(const std::size_t j) const;
 
