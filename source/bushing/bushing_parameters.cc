@@ -114,8 +114,8 @@ namespace Tribody
           "divide "
           "its bore cells and radial cells; cells of a refined sector stay on "
           "the rank that had them. The coarser mesh of 'Wear/Mesh error "
-          "estimate' is solved directly, by each rank alone, as is what "
-          "'Mesh/Nodes across contact' looks at.");
+          "estimate' is solved directly, and so is what 'Mesh/Nodes across "
+          "contact' looks at: every rank has all of it.");
       }
 
 

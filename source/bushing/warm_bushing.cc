@@ -43,56 +43,47 @@ namespace Tribody
 
 
     Warmth
-    correct(const Warmth &warmth, const Warmth &found)
+    between(const Warmth &from, const Warmth &to, const double part)
     {
-      // Beyond, the last two differences tell nothing.
-      constexpr double smallest = 0.2, largest = 5.;
-
-      Warmth result = found;
-      result.contact_residual =
-        found.contact_temperature - warmth.contact_temperature;
-      result.residual =
-        std::max({std::abs(result.contact_residual),
-                  std::abs(found.max_temperature - warmth.max_temperature),
-                  std::abs(found.mean_temperature - warmth.mean_temperature)});
-      const double decrease = warmth.contact_residual - result.contact_residual;
-      if (warmth.contact_residual != 0. && decrease != 0.)
-        {
-          const double exact =
-            warmth.relaxation * warmth.contact_residual / decrease;
-          result.relaxation = std::clamp(exact, smallest, largest);
-          // So far is the end, and farther than the difference where that
-          // hardly becomes smaller.
-          result.residual *= std::max(1., exact);
-        }
-      const double omega   = result.relaxation;
-      const auto   towards = [omega](const double from, const double to) {
-        return from + omega * (to - from);
-      };
-      result.contact_temperature =
-        towards(warmth.contact_temperature, found.contact_temperature);
-      result.max_temperature =
-        towards(warmth.max_temperature, found.max_temperature);
-      result.mean_temperature =
-        towards(warmth.mean_temperature, found.mean_temperature);
-      result.temperature.sadd(omega, 1. - omega, warmth.temperature);
-      result.closing = towards(warmth.closing, found.closing);
+      Warmth result = to;
+      for (double Warmth::*value : {&Warmth::contact_temperature,
+                                    &Warmth::max_temperature,
+                                    &Warmth::mean_temperature,
+                                    &Warmth::closing})
+        result.*value = from.*value + part * (to.*value - from.*value);
+      result.temperature.sadd(part, 1. - part, from.temperature);
       return result;
     }
 
 
 
     Warmth
-    halfway(const Warmth &warmth, const Warmth &corrected)
+    correct(const Warmth    &warmth,
+            const Warmth    &found,
+            WarmthIteration &iteration)
     {
-      Warmth result = corrected;
-      result.relaxation *= 0.5;
-      for (double Warmth::*value : {&Warmth::contact_temperature,
-                                    &Warmth::max_temperature,
-                                    &Warmth::mean_temperature,
-                                    &Warmth::closing})
-        result.*value = 0.5 * (warmth.*value + corrected.*value);
-      result.temperature.sadd(0.5, 0.5, warmth.temperature);
+      // Beyond, the last two differences tell nothing.
+      constexpr double smallest = 0.2, largest = 5.;
+
+      const double difference =
+        found.contact_temperature - warmth.contact_temperature;
+      double residual =
+        std::max({std::abs(difference),
+                  std::abs(found.max_temperature - warmth.max_temperature),
+                  std::abs(found.mean_temperature - warmth.mean_temperature)});
+      const double decrease = iteration.difference - difference;
+      if (iteration.difference != 0. && decrease != 0.)
+        {
+          const double exact =
+            iteration.relaxation * iteration.difference / decrease;
+          iteration.relaxation = std::clamp(exact, smallest, largest);
+          // So far is the end, and farther than the difference where that
+          // hardly becomes smaller.
+          residual *= std::max(1., exact);
+        }
+      iteration.difference = difference;
+      Warmth result        = between(warmth, found, iteration.relaxation);
+      result.residual      = residual;
       return result;
     }
 

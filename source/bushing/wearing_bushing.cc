@@ -176,10 +176,10 @@ namespace Tribody
                                     parameters.contact_solver,
                                     elastic.housing());
       // A bore that comes nearer is a pin that comes nearer.
-      const Eigen::VectorXd closing =
-        Eigen::VectorXd::Constant(contact.surface.n_nodes(), warm.closing);
+      const Eigen::VectorXd opening =
+        Eigen::VectorXd::Constant(contact.surface.n_nodes(), -warm.closing);
       if (warm.is_known())
-        solver.set_pin_recess(-closing);
+        solver.set_pin_recess(opening);
 
       // Loads mostly follow from the two before with few nodes to change; the
       // same load on a similar bore differs less. But a cycle before may have
@@ -199,11 +199,9 @@ namespace Tribody
               start = Contact::extrapolate(
                 contact.samples[std::max(j - 2, own.begin)],
                 contact.samples[j - 1]);
-            if (pin && warm.is_known())
-              solver.set_pin_recess(contact.facings[j].to_bore(pin_depth) -
-                                    closing);
-            else if (pin)
-              solver.set_pin_recess(contact.facings[j].to_bore(pin_depth));
+            if (pin)
+              solver.set_pin_recess(contact.facings[j].to_bore(pin_depth) +
+                                    opening);
             Contact::ContactSolution &solution = contact.samples[j];
             const Eigen::Vector2d     force    = force_per_length(loads, j);
             solution =

@@ -170,10 +170,12 @@ namespace Tribody
             << " in the mean, surroundings "
             << celsius(warmth.ambient_temperature)
             << "; pin and bore are nearer by "
-            << significant_digits(1e3 * warmth.closing, 3)
-            << " mm; uneven heat makes the bore out of round by "
-            << significant_digits(1e3 * warmth.out_of_round, 2)
-            << " mm, which is left out" << std::endl;
+            << significant_digits(1e3 * warmth.closing, 3) << " mm";
+        if (warmth.out_of_round > 0.)
+          out << "; uneven heat makes the bore out of round by "
+              << significant_digits(1e3 * warmth.out_of_round, 2)
+              << " mm, which is left out";
+        out << std::endl;
       }
 
 

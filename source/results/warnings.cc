@@ -121,17 +121,23 @@ namespace Tribody
                           "K",
                           "degC",
                           warnings);
-            // What is left out must be worn off, or fit the clearance.
-            if (warmth.out_of_round >
-                std::max(0., bushing.clearance - warmth.closing))
+            // What is left out must be worn off, or little beside the
+            // clearance.
+            constexpr double part_of_clearance = 0.1;
+            const double     depth             = bushing.bushing.max_wear_depth;
+            const double     unworn =
+              std::max(0., bushing.clearance - depth - warmth.closing);
+            if (warmth.out_of_round > depth + part_of_clearance * unworn)
               warnings.push_back(
                 {"out_of_round",
                  bushing.name,
                  "uneven heat makes the bore out of round by " +
                    significant_digits(1e3 * warmth.out_of_round, 2) +
-                   " mm, more than clearance and wear together; this is left "
-                   "out, so that pressure and depth are right only once as "
-                   "much is worn off"});
+                   " mm, more than has been worn off and than a tenth of the "
+                   "clearance; this is left out, so that pressure and depth "
+                   "are doubtful until as much is worn off: it takes more "
+                   "cycles, less friction, load or speed, or a material that "
+                   "conducts heat better"});
           }
         const std::string refine =
           "refine 'Bushing " + bushing.name + "/Mesh/Bore cells'";

@@ -398,7 +398,7 @@ namespace Tribody
       if (coarse_run != nullptr)
         on_coarse_meshes([this]() { coarse_run->follow(process); });
       const double renewed_before = state().cycles_at_dynamics;
-      if (has_warm_joints())
+      if (process.gets_warm())
         {
           solve_contacts();
           settle_temperatures();
@@ -424,22 +424,10 @@ namespace Tribody
 
 
 
-    bool
-    WearSimulation::has_warm_joints() const
-    {
-      return std::any_of(parameters.bushings.begin(),
-                         parameters.bushings.end(),
-                         [](const BushingParameters &bushing) {
-                           return bushing.heat.is_on();
-                         });
-    }
-
-
-
     void
     WearSimulation::settle_temperatures()
     {
-      if (!has_warm_joints())
+      if (!process.gets_warm())
         return;
       dealii::TimerOutput::Scope scope(timer, "temperature");
       process.settle_warmth([this]() { run_dynamics(state().shares); });

@@ -123,7 +123,7 @@ namespace Tribody
       // as much, which is part of the estimated error.
       constexpr double merging_tolerance = 2e-4;
       // Of the wear where it is deepest; likewise.
-      constexpr double thinning_tolerance = 5e-4;
+      constexpr double thinning_tolerance = 1e-4;
 
       const unsigned int            n_cycles = cycle.settling.n_averaged_cycles;
       const CycleContact           &contact  = run_state.joints[j].contact;
@@ -225,6 +225,18 @@ namespace Tribody
 
 
 
+    bool
+    WearProcess::gets_warm() const
+    {
+      return std::any_of(joint_bushings.begin(),
+                         joint_bushings.end(),
+                         [](const WearingBushing &bushing) {
+                           return bushing.warm_bushing() != nullptr;
+                         });
+    }
+
+
+
     void
     WearProcess::settle_warmth(const std::function<void()> &renew_motion)
     {
@@ -234,15 +246,12 @@ namespace Tribody
       // What lies in the way every time is no matter of the steps.
       constexpr unsigned int max_obstructed_rounds = 10;
       unsigned int           n_obstructed          = 0;
-      if (std::none_of(joint_bushings.begin(),
-                       joint_bushings.end(),
-                       [](const WearingBushing &bushing) {
-                         return bushing.warm_bushing() != nullptr;
-                       }))
+      if (!gets_warm())
         return;
+      std::vector<WarmthIteration> iterations(joint_bushings.size());
       for (unsigned int round = 0; round < max_rounds; ++round)
         {
-          const WarmthRound result = update_warmth();
+          const WarmthRound result = update_warmth(iterations);
           if (result.have_settled)
             return;
           n_obstructed = result.obstacle.empty() ? 0 : n_obstructed + 1;
@@ -274,7 +283,7 @@ namespace Tribody
 
 
     WearProcess::WarmthRound
-    WearProcess::update_warmth()
+    WearProcess::update_warmth(std::vector<WarmthIteration> &iterations)
     {
       WarmthRound round;
       double      time = 0., temperature_over_time = 0.;
@@ -296,17 +305,16 @@ namespace Tribody
             };
             if (!joint.warmth.is_known())
               joint.warmth = at_power(0.);
-            const Warmth found     = at_power(frictional_power(j));
-            const Warmth corrected = correct(joint.warmth, found);
+            const Warmth found = at_power(frictional_power(j));
+            const Warmth corrected =
+              correct(joint.warmth, found, iterations[j]);
             if (corrected.residual <= heat->tolerance())
               {
                 joint.warmth.power               = found.power;
                 joint.warmth.shaft_power         = found.shaft_power;
                 joint.warmth.ambient_temperature = found.ambient_temperature;
                 joint.warmth.residual            = corrected.residual;
-                // The next round is under other loads or on another shape.
-                joint.warmth.contact_residual = 0.;
-                joint.warmth.relaxation       = 1.;
+                iterations[j]                    = {};
                 joint.totals.max_temperature =
                   std::max({joint.totals.max_temperature,
                             joint.warmth.max_temperature,
@@ -314,7 +322,8 @@ namespace Tribody
                 continue;
               }
             round.have_settled = false;
-            if (const std::string obstacle = become_warm(j, corrected);
+            if (const std::string obstacle =
+                  become_warm(j, corrected, iterations[j]);
                 !obstacle.empty())
               round.obstacle = obstacle;
           }
@@ -324,7 +333,9 @@ namespace Tribody
 
 
     std::string
-    WearProcess::become_warm(const std::size_t j, Warmth warmth)
+    WearProcess::become_warm(const std::size_t j,
+                             Warmth            warmth,
+                             WarmthIteration  &iteration)
     {
       // A step may pass what the temperature that it is on its way to does
       // not.
@@ -343,7 +354,8 @@ namespace Tribody
             if (n == max_halvings)
               throw;
             obstacle = message_of(exception);
-            warmth   = halfway(joint.warmth, warmth);
+            warmth   = between(joint.warmth, warmth, 0.5);
+            iteration.relaxation *= 0.5;
           }
       const WarmBushing &heat = *bushing.warm_bushing();
       if (heat.modulus_factor(warmth) != heat.modulus_factor(joint.warmth))

@@ -17,13 +17,10 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/base/console.h>
-#include <tribody/case/case_parameters.h>
-#include <tribody/run/wear_simulation.h>
+#include "run_lines.h"
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -37,18 +34,7 @@ namespace
   Coupling::RunResults
   run(const std::string &lines)
   {
-    std::ofstream file("load_cases_01.prm");
-    file << "include " << SOURCE_DIR << "/loaded_shaft.prm\n" << lines;
-    file.close();
-    const Coupling::CaseParameters parameters =
-      Coupling::read_case("load_cases_01.prm", {});
-    std::ostringstream       screen;
-    Console                  console(screen);
-    Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-    simulation.start();
-    while (!simulation.is_over())
-      simulation.advance(parameters.cycles);
-    return simulation.results();
+    return run_silently(read_lines("load_cases_01", "loaded_shaft.prm", lines));
   }
 
 

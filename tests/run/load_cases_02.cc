@@ -11,12 +11,9 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/base/console.h>
-#include <tribody/case/case_parameters.h>
-#include <tribody/run/wear_simulation.h>
+#include "run_lines.h"
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -28,18 +25,7 @@ namespace
   Coupling::RunResults
   run(const std::string &lines)
   {
-    std::ofstream file("load_cases_02.prm");
-    file << "include " << SOURCE_DIR << "/loaded_shaft.prm\n" << lines;
-    file.close();
-    const Coupling::CaseParameters parameters =
-      Coupling::read_case("load_cases_02.prm", {});
-    std::ostringstream       screen;
-    Console                  console(screen);
-    Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-    simulation.start();
-    while (!simulation.is_over())
-      simulation.advance(parameters.cycles);
-    return simulation.results();
+    return run_silently(read_lines("load_cases_02", "loaded_shaft.prm", lines));
   }
 
 

@@ -12,6 +12,7 @@
 //   under T ~ ln(b/r), see elasticity/thermal_01, and by that of the pin;
 // - a shaft takes G (T_c - T_a), and all where the rim is insulated (to the
 //   tolerance of the temperature);
+// - pin and bore touch as if the pin had grown before it was built in;
 // - friction that falls with the temperature heats less: mu(T_c) (the motion
 //   is renewed when that changes by 'Dynamics update', 1 %);
 // - half the modulus by a 'Modulus factor' is half the modulus, and a wear
@@ -26,10 +27,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <tribody/base/console.h>
+#include "run_lines.h"
 #include <tribody/base/exceptions.h>
-#include <tribody/case/case_parameters.h>
-#include <tribody/run/wear_simulation.h>
 
 #include <cmath>
 #include <fstream>
@@ -47,31 +46,25 @@ namespace
        const std::string &lines,
        const std::string &machine)
   {
-    const std::string name =
-      "warm_joint_01." +
-      std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
-      ".prm";
-    std::ofstream file(name);
-    file << "include " << SOURCE_DIR << "/" << machine << "\n"
-         << (lines.find("in sequence") == std::string::npos
-               ? "set Cycles = 100\n"
-               : "")
-         << "subsection Joint bearing\n"
-            "  set Friction law = Coulomb regularised\n"
-            "  set Friction coefficient = 0.1\n"
-            "  set Bushing radius = 9.575 mm\n"
-            "end\n"
-            "subsection Material PTFE\n"
-            "  set Thermal conductivity = 0.25 W/(m K)\n"
-            "end\n"
-            "subsection Bushing bearing\n"
-            "  set Pressure model = finite element\n"
-            "  subsection Heat\n"
-            "    set Temperature = steady\n"
-         << heat << "  end\nend\n"
-         << lines;
-    file.close();
-    return Coupling::read_case(name, {});
+    const std::string cycles = lines.find("in sequence") == std::string::npos
+                                 ? "set Cycles = 100\n"
+                                 : "";
+    return read_lines("warm_joint_01",
+                      machine,
+                      cycles +
+                        "subsection Joint bearing\n"
+                        "  set Friction law = Coulomb regularised\n"
+                        "  set Friction coefficient = 0.1\n"
+                        "  set Bushing radius = 9.575 mm\n"
+                        "end\n"
+                        "subsection Material PTFE\n"
+                        "  set Thermal conductivity = 0.25 W/(m K)\n"
+                        "end\n"
+                        "subsection Bushing bearing\n"
+                        "  set Pressure model = finite element\n"
+                        "  subsection Heat\n"
+                        "    set Temperature = steady\n" +
+                        heat + "  end\nend\n" + lines);
   }
 
 
@@ -81,14 +74,7 @@ namespace
       const std::string &lines   = "",
       const std::string &machine = "loaded_shaft.prm")
   {
-    const Coupling::CaseParameters parameters = read(heat, lines, machine);
-    std::ostringstream             screen;
-    Console                        console(screen);
-    Coupling::WearSimulation simulation(parameters, console, MPI_COMM_WORLD);
-    simulation.start();
-    while (!simulation.is_over())
-      simulation.advance(parameters.cycles);
-    return simulation.results();
+    return run_silently(read(heat, lines, machine));
   }
 
 
@@ -214,6 +200,36 @@ namespace
     out() << "resistance: as much more "
           << (relative(resisted.mean_temperature - ambient,
                        mean_rise(resisted.power) + 12. * resisted.power) < 1e-3)
+          << std::endl;
+  }
+
+
+
+  void
+  test_closing()
+  {
+    // All through the shaft: 35.9 K, in which the pin grows by 17 um.
+    const std::string heat =
+                        "    set Shaft conductance = 0.01 W/K\n"
+                        "    set Rim = insulated\n"
+                        "    set Temperature tolerance = 1e-4 K\n",
+                      expansion =
+                        "subsection Material steel\n"
+                        "  set Thermal expansion = 5e-5 K^-1\nend\n";
+    const auto         warm = run(heat, expansion);
+    const auto         cold = run(heat);
+    std::ostringstream radius;
+    radius << std::setprecision(15)
+           << "subsection Joint bearing\n  set Pin radius = "
+           << 9.525e-3 + warmth(warm).closing << " m\nend\n";
+    const auto   thick    = run(heat, radius.str());
+    const double pressure = warm.state.joints[0].contact.max_pressure;
+    out() << "closing in the contact: as a pin that is thicker, to 0.1 % "
+          << (relative(pressure, thick.state.joints[0].contact.max_pressure) <
+              1e-3)
+          << ", and not as the cold one "
+          << (relative(pressure, cold.state.joints[0].contact.max_pressure) >
+              0.03)
           << std::endl;
   }
 
@@ -399,6 +415,7 @@ main(int argc, char **argv)
   out() << std::setprecision(4);
   test_means();
   test_shaft();
+  test_closing();
   test_friction();
   test_modulus_and_wear();
   test_surroundings();

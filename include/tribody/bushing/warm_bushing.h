@@ -45,12 +45,6 @@ namespace Tribody
       /// How far they are from temperatures that belong to motion and contact
       /// and these to them, estimated [K]: the largest.
       double residual = 0.;
-      /// By how much the contact_temperature that motion and contact make was
-      /// another one, with its sign [K]; 0 before the first round.
-      double contact_residual = 0.;
-      /// Part of the difference by which they were corrected [-], see
-      /// correct().
-      double relaxation = 1.;
 
       /// Whether it has been computed.
       bool
@@ -58,6 +52,16 @@ namespace Tribody
       {
         return temperature.size() > 0;
       }
+    };
+
+    /// What a fixed point iteration remembers of its last step.
+    struct WarmthIteration
+    {
+      /// By how much the contact temperature was off, with its sign [K]; 0
+      /// before the first step.
+      double difference = 0.;
+      /// The part of it by which it was corrected [-].
+      double relaxation = 1.;
     };
 
     /**
@@ -69,11 +73,14 @@ namespace Tribody
      * this.
      */
     Warmth
-    correct(const Warmth &warmth, const Warmth &found);
+    correct(const Warmth    &warmth,
+            const Warmth    &found,
+            WarmthIteration &iteration);
 
-    /// Half of that step, from @p warmth to @p corrected.
+    /// What lies the @p part of the way from one to the other; its power is
+    /// that of the latter.
     Warmth
-    halfway(const Warmth &warmth, const Warmth &corrected);
+    between(const Warmth &from, const Warmth &to, const double part);
 
     /**
      * What friction does to the temperature of a bushing and its pin, and that

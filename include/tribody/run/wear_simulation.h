@@ -145,10 +145,6 @@ namespace Tribody
       void
       solve_contacts();
 
-      /// Whether friction heats a joint.
-      bool
-      has_warm_joints() const;
-
       /// Temperature, motion and contact in turn, until they belong together.
       /// @throws ExcRun if they do not come to an end.
       void

@@ -113,6 +113,10 @@ namespace Tribody
       bool
       duty_cycle_is_outdated() const;
 
+      /// Whether friction heats a joint.
+      bool
+      gets_warm() const;
+
       /**
        * Find the temperatures that belong to contacts and duty cycles and
        * these to them, by fixed point iteration, see correct(). Nothing
@@ -196,12 +200,14 @@ namespace Tribody
 
       // Joints whose temperature is off get another one.
       WarmthRound
-      update_warmth();
+      update_warmth(std::vector<WarmthIteration> &iterations);
 
       // Be as warm, or on the way there as far as the premises allow; returns
       // which did not.
       std::string
-      become_warm(const std::size_t j, Warmth warmth);
+      become_warm(const std::size_t j,
+                  Warmth            warmth,
+                  WarmthIteration  &iteration);
 
       // Of friction in the joint, mean over the time of all load cases: its
       // work in the motion [W].
